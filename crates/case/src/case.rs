@@ -24,6 +24,7 @@ use crate::output::{OUTPUT, Output};
 use crate::page::{Page, REPORT};
 use crate::region::{REGION, Region};
 use crate::reinforcement::{REINFORCEMENT, Reinforcement};
+use crate::section::{SECTION, Section};
 use crate::stage::{STAGE, Stage, Written, in_steps};
 use crate::{Diagnostic, Report, Spanned, report, syntax};
 
@@ -55,6 +56,7 @@ pub(crate) static CASE: Table = Table {
             "",
             "Bars in linings, which move with the concrete",
         ),
+        Key::optional("section", Kind::Tables(&SECTION), "", "By which code sections of linings are judged"),
         Key::optional(
             "motion",
             Kind::Table(&MOTION),
@@ -115,6 +117,8 @@ pub struct Case {
     pub stages: Vec<Stage>,
     /// Bars in linings.
     pub reinforcement: Vec<Reinforcement>,
+    /// By which code sections of linings are judged.
+    pub sections: Vec<Section>,
     /// The earthquake; nothing: the case ends with what comes before it.
     pub motion: Option<Motion>,
     /// The dynamic run; where it is left out, without an earthquake, its defaults between rollers.
@@ -197,6 +201,7 @@ impl Case {
             case.tables("stage").map(|s| Stage::read(s, &names)).collect::<Option<_>>()?;
         let stages = in_steps(stages);
         let reinforcement = case.tables("reinforcement").map(Reinforcement::read).collect::<Option<_>>()?;
+        let sections = case.tables("section").map(Section::read).collect::<Option<_>>()?;
         let motion = match case.table("motion") {
             Some(motion) => Some(Motion::read(motion, initial.gravity.value)?),
             None => None,
@@ -228,6 +233,7 @@ impl Case {
             initial,
             stages,
             reinforcement,
+            sections,
             motion,
             dynamic: case.table("dynamic").and_then(Dynamic::read)?,
             monitors,

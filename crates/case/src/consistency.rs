@@ -9,6 +9,7 @@ use crate::interface::{self, TIED};
 use crate::material::VOID;
 use crate::mesh::Mesh;
 use crate::motion::{self, Motion};
+use crate::section::Section;
 use crate::stage::{Stage, Written};
 use crate::{Diagnostic, Spanned, suggest, units};
 use tremolite_laws::parameter::Dimension;
@@ -51,6 +52,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Diagnostic>, Vec<D
     interfaces(case, &mut problems);
     let bolts = bolts::check(case, &written.excavates, &mut problems);
     monitors(case, &bolts, bolts.len() == written.bolts, &mut problems);
+    case.tables("section").for_each(|section| Section::check(section, &mut problems));
     // Reinforcement is told of beside them, so it has names of its own as well.
     let bars = case.tables("reinforcement").filter_map(|steel| steel.text("name"));
     unique(bolts.into_iter().chain(bars).collect(), "bolts", "give each its own name", &mut problems);

@@ -33,6 +33,7 @@ mod law_file;
 mod law_key;
 mod law_table;
 mod laws;
+mod limits_file;
 mod listing;
 mod material;
 mod mesh;
@@ -46,6 +47,7 @@ mod region;
 mod reinforcement;
 mod report;
 mod schema;
+mod section;
 mod spanned;
 mod stage;
 pub mod study;
@@ -72,15 +74,16 @@ pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{
     Component, Corner, Direction, Motion, MotionKind, Record, RecordUnit, Records, Site, SiteLayer,
-    TextColumn, Window,
+    TargetSpectrum, TextColumn, Window,
 };
 pub use output::Output;
-pub use page::{Language, Page};
+pub use page::{Language, Limits, Page};
 pub use reference::reference;
 pub use region::{Element, Fill, Region};
 pub use reinforcement::{BarDirection, BarFace, Reinforcement};
 pub use report::{Diagnostic, Report, Severity};
 pub use schema::schema;
+pub use section::{Section, SectionCode};
 pub use spanned::Spanned;
 pub use stage::{Displacement, Moved, Stage};
 pub use suggest::nearest;

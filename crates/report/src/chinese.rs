@@ -21,6 +21,7 @@ mod page;
 mod section_forces;
 mod section_maps;
 mod section_strength;
+mod sheets;
 mod source;
 mod spectra;
 mod stages;
@@ -53,6 +54,7 @@ pub const TABLES: &[Texts] = &[
     section_forces::TEXTS,
     section_maps::TEXTS,
     section_strength::TEXTS,
+    sheets::TEXTS,
     source::TEXTS,
     spectra::TEXTS,
     stages::TEXTS,

@@ -26,6 +26,7 @@ mod quantities;
 mod script;
 mod section_forces;
 mod section_maps;
+mod sheets;
 mod source;
 mod spectra;
 mod stages;
@@ -85,6 +86,23 @@ pub fn write(dir: &Path) -> Result<PathBuf, Error> {
 /// As of [`write()`].
 pub fn write_in(dir: &Path, language: Language) -> Result<PathBuf, Error> {
     set(&Source::read(dir, Some(language))?)
+}
+
+/// As [`write()`], in `language` if given, held to other limits of acceptance than those of the case: `displacement` (m), `crack_width`
+/// (m), `damage` (share of a lining's volume), `utilisation` (1).
+///
+/// # Errors
+/// As of [`write()`].
+pub fn write_held(
+    dir: &Path,
+    language: Option<Language>,
+    limits: impl IntoIterator<Item = (String, f64)>,
+) -> Result<PathBuf, Error> {
+    let mut source = Source::read(dir, language)?;
+    if let Ok(summary) = &mut source.summary {
+        summary.case.report.limits = limits.into_iter().collect();
+    }
+    set(&source)
 }
 
 fn set(source: &Source) -> Result<PathBuf, Error> {

@@ -24,6 +24,7 @@ use crate::language::{Language, say};
 use crate::page::contents::Placed;
 use crate::page::part::{PagePart, part};
 use crate::page::templates::{SCRIPT, STYLE, environment, markup};
+use crate::sheets::{Sheets, sheets};
 use crate::source::Source;
 use crate::verdict::{self, Verdict};
 
@@ -34,6 +35,7 @@ const TEMPLATE: &str = include_str!("../template/report.html");
 struct Page {
     frame: Frame,
     head: Head,
+    sheets: Sheets,
     /// In their order.
     sections: Vec<PagePart>,
     /// Whether there is a summary: without one several sections can only say so.
@@ -140,6 +142,7 @@ pub fn html(
             script: markup(SCRIPT),
         },
         head: head(source, &summary),
+        sheets: sheets(source, &summary, sections),
         sections: sections.iter().map(part).collect(),
         has_summary: source.summary.is_ok(),
         findings: findings(source, &summary),
@@ -253,6 +256,7 @@ fn files(source: &Source) -> Vec<(String, Vec<&'static str>)> {
                 "stages.csv",
                 "relaxation.csv",
                 "sections.csv",
+                "utilisation.csv",
                 "bolts.csv",
                 "summary.json",
             ][..],

@@ -2,9 +2,10 @@
 
 mod along_lining;
 mod on_shape;
-mod stations;
+pub mod stations;
 mod strength;
 mod thrust_moment;
+pub mod used;
 
 use crate::chapter::figure::{Block, Chapter};
 use crate::chapter::text_table::{Cell, Head, TextTable};
@@ -53,11 +54,15 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         tables: vec![table(language, &linings, facts.computed.model.duration)],
         ..Block::default()
     }];
+    blocks.extend(used::block(source, &facts));
+    let judged = source.utilisation.as_ref().and_then(|rows| rows.as_ref().ok());
     let y = plane(&facts.monitors.positions);
     for (number, lining) in linings.iter().enumerate() {
         let (y, section) = lining.section(y);
         let mut block = Block { heading: lining.name.clone(), ..Block::default() };
         let suffix = if number == 0 { String::new() } else { format!("-{}", number + 1) };
+        let used = judged.and_then(|rows| used::figure(language, &lining.name, &section, rows, &suffix));
+        block.figures.extend(used);
         block.figures.extend(on_shape::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(along_lining::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(thrust_moment::figure(language, lining, &section, &suffix));

@@ -5,6 +5,7 @@ pub mod monitor_pairs;
 
 use std::path::Path;
 
+use tremolite_results::utilisation::{UtilisationRow, read_utilisation};
 use tremolite_results::{
     BoltRow, FreeField, ResultFolder, SectionRow, Summary, Table, peaks_by_monitor, read_bolts, read_sections,
 };
@@ -42,6 +43,8 @@ pub struct Source {
     pub relaxation: Option<Result<Table, String>>,
     /// Nothing where the folder has no such file: the run has no lining of which section forces were taken.
     pub sections: Option<Result<Vec<SectionRow>, String>>,
+    /// Nothing where the folder has no such file: no section is judged.
+    pub utilisation: Option<Result<Vec<UtilisationRow>, String>>,
     /// Nothing where the folder has no such file: the run has no bolts, or an older version ran.
     pub bolts: Option<Result<Vec<BoltRow>, String>>,
     /// Field files that figures are cut out of, read when one wants them.
@@ -82,6 +85,9 @@ impl Source {
         let depth = folder.depth().exists().then(|| table(&folder.depth(), "depth"));
         let relaxation = folder.relaxation().exists().then(|| table(&folder.relaxation(), "stage"));
         let sections = folder.sections().exists().then(|| sections(&folder.sections(), language));
+        let utilisation = folder.utilisation();
+        let utilisation =
+            utilisation.exists().then(|| read_utilisation(&utilisation).map_err(|e| format!("{e}.")));
         let bolts = folder.bolts().exists().then(|| read_bolts(&folder.bolts()).map_err(|e| format!("{e}.")));
         let case = std::fs::read(root.join("case.toml")).ok();
         let case = case.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
@@ -110,6 +116,7 @@ impl Source {
             depth,
             relaxation,
             sections,
+            utilisation,
             bolts,
             fields: FieldFiles::default(),
             case,

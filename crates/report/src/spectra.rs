@@ -45,7 +45,17 @@ pub fn of_input(source: &Source) -> Option<Figure> {
         return None;
     }
     let all = points.iter().zip(names).zip(pens).filter(|((point, _), _)| point.is_known());
-    let drawn = all.map(|((point, name), (colour, pen))| DrawnSpectra { name, point, colour, pen }).collect();
+    let drawn =
+        all.map(|((point, name), (colour, pen))| DrawnSpectra { name, point, colour, pen, periods: None });
+    let mut drawn: Vec<DrawnSpectra> = drawn.collect();
+    let facts = source.facts();
+    let target = facts.computed.motion.target.unwrap_or_default();
+    let called = SpectrumPlace { name: String::new(), spectrum: [&target.sa, &target.sa, &[]] };
+    if called.is_known() {
+        let name = say!(language, "what the design calls for of the motion given");
+        let (colour, periods) = (4, Some(&target.period[..]));
+        drawn.push(DrawnSpectra { name, point: &called, colour, pen: Pen::Dashed, periods });
+    }
     let title = say!(language, "Response spectra of the motion that comes in");
     let rows = [SpectraRow { name: "", drawn }];
     let figure = figure(&rows, &axes_of, periods, &title, "input-spectra.svg".into(), source);
@@ -127,9 +137,15 @@ fn row<'a>((own, beside): &'a (SpectrumPlace<'a>, SpectrumPlace<'a>), language: 
     let mut drawn = Vec::new();
     if beside.is_known() {
         let name = say!(language, "free field at the monitor's level");
-        drawn.push(DrawnSpectra { name, point: beside, colour: 3, pen: Pen::Dashed });
+        drawn.push(DrawnSpectra { name, point: beside, colour: 3, pen: Pen::Dashed, periods: None });
     }
-    drawn.push(DrawnSpectra { name: say!(language, "monitor"), point: own, colour: 0, pen: Pen::Curve });
+    drawn.push(DrawnSpectra {
+        name: say!(language, "monitor"),
+        point: own,
+        colour: 0,
+        pen: Pen::Curve,
+        periods: None,
+    });
     SpectraRow { name: &own.name, drawn }
 }
 

@@ -1,7 +1,8 @@
 //! The verdict: whether the lining stands, in five lines at most, from what the summary found.
 
-mod short_names;
-mod surroundings;
+pub mod short_names;
+mod strength;
+pub mod surroundings;
 
 use serde::Serialize;
 use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary};
@@ -61,6 +62,7 @@ pub fn verdict(source: &Source) -> Verdict {
         );
         lines.push(VerdictLine { text, ..next });
     }
+    lines.extend(strength::lines(source, &facts));
     let room = LINES.saturating_sub(lines.len());
     lines.extend(within(room, around(language, &facts), language));
     lines.extend(relative(source, &facts));
@@ -114,6 +116,14 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
     let Ok(summary) = &source.summary else {
         return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
     };
+    // Beside linings that can crack and have not, one that cannot may be asked for more than it bears.
+    let first = linings.first().map(|finding| finding.severity);
+    if let (Status::Done, Some(Severity::Undamaged), Some(answer)) =
+        (summary.conclusion.status, first, strength::answer(source, summary))
+        && answer.0 == "bad"
+    {
+        return answer;
+    }
     let yielded = yielding.map(|finding| yielded(language, summary, finding));
     match (summary.conclusion.status, linings.first().map(|finding| finding.severity), yielded) {
         (Status::Failed, ..) => ("bad", say!(language, "Cannot be said: the run failed.")),
@@ -124,9 +134,10 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
         (Status::Done, None, Some(yielded)) => {
             ("warn", say!(language, "Not judged by cracks. {yielded}", yielded = yielded))
         }
-        (Status::Done, None, None) => {
-            ("warn", say!(language, "Not judged: no structure of this run can crack."))
-        }
+        (Status::Done, None, None) => match strength::answer(source, summary) {
+            Some(answer) => answer,
+            None => ("warn", say!(language, "Not judged: no structure of this run can crack.")),
+        },
         (Status::Done, Some(Severity::Through), _) if linings.iter().any(|lining| is_loose(lining)) => (
             "bad",
             say!(

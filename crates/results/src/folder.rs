@@ -167,6 +167,7 @@ impl ResultFolder {
             self.stages_pvd(),
             self.relaxation(),
             self.sections(),
+            self.utilisation(),
             self.bolts(),
             self.bolts_pvd(),
             self.report(),
@@ -295,6 +296,11 @@ impl ResultFolder {
     /// `sections.csv`: section forces of linings.
     pub fn sections(&self) -> PathBuf {
         self.root.join("sections.csv")
+    }
+
+    /// `utilisation.csv`: what sections of linings use of their strength; only of runs that judge them.
+    pub fn utilisation(&self) -> PathBuf {
+        self.root.join("utilisation.csv")
     }
 
     /// `bolts.csv`: what bolts do at the end of stages and in the shaking; only of runs with bolts.

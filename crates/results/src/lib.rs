@@ -16,6 +16,7 @@
 //! | `stages.csv` | [`stages`] | stages before the earthquake, a row each |
 //! | `relaxation.csv` | [`table`] | how the stages came to rest |
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
+//! | `utilisation.csv` | [`utilisation`] | what sections of linings use of their strength |
 //! | `bolts.csv` | [`bolts`] | forces, slip and state of bolts, a row a bolt and time |
 //! | `fields.pvd`, `interfaces.pvd`, `stages.pvd`, `bolts.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/`, `stages/` and `bolts/` |
 //! | `fields/*.vtu` | [`fields`], [`cut`], [`mod@slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
@@ -48,6 +49,7 @@ pub mod peaks;
 pub mod pvd;
 mod replace;
 pub mod said;
+pub mod section_strength;
 pub mod sections;
 pub mod skin;
 pub mod slice;
@@ -59,6 +61,7 @@ pub mod surface;
 pub mod table;
 pub mod table_writer;
 pub mod trust;
+pub mod utilisation;
 
 pub use bolt_group::{BoltPeak, BoltPlace, BoltSummary};
 pub use bolt_lines::{BoltLine, BoltLines};
@@ -78,6 +81,7 @@ pub use peaks::{Peaks, PeaksByName, peaks_by_monitor};
 pub use pvd::{Pvd, Snapshot};
 pub use replace::replace_file;
 pub use said::{Said, Slot};
+pub use section_strength::{Factors, SectionStrength, Used};
 pub use sections::{SectionRow, read_sections, write_sections};
 pub use skin::Skin;
 pub use slice::{Corner, Piece, Slice};
@@ -85,7 +89,7 @@ pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
     CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, Input, ModelFacts, MonitorFacts, MotionFacts,
-    PageWish, PartFacts, RunFacts, Soundness, Status, Summary, Synchrony,
+    PageWish, PartFacts, RunFacts, Soundness, Status, Summary, Synchrony, TargetSpectrum,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::Table;

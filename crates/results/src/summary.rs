@@ -13,7 +13,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 pub use case::{CaseFacts, Defaulted, Input, PageWish};
-pub use computed::{Computed, Deconvolved, ModelFacts, MotionFacts, RunFacts};
+pub use computed::{Computed, Deconvolved, ModelFacts, MotionFacts, RunFacts, TargetSpectrum};
 pub use conclusion::{Conclusion, Status};
 pub use monitors::{MonitorFacts, Synchrony};
 pub use parts::PartFacts;

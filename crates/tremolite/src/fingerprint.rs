@@ -95,11 +95,14 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         pairs,
         bolts: bolt_monitors,
         relatives,
+        sections,
         // The wave follows from it.
         recorded: _,
         // Change nothing that is remembered.
         title: _,
         page: _,
+        boundaries: _,
+        target: _,
         fields: _,
         checkpoint: _,
     } = plan;
@@ -153,6 +156,9 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         for k in 0..=LOOKS {
             time.number((load.factor)(duration * f64::from(k) / f64::from(LOOKS)));
         }
+    }
+    if !sections.is_empty() {
+        time.shown(sections);
     }
     for monitor in monitors {
         time.shown(&(&monitor.name, monitor.point));

@@ -36,6 +36,7 @@ pub mod spectra;
 pub mod stacks;
 pub mod stages;
 pub mod step_cost;
+pub mod strength;
 pub mod stress;
 pub mod summary;
 pub mod support;

@@ -3,9 +3,11 @@
 use crate::deconvolution::Place;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
+use crate::strength::JudgedBy;
+use indexmap::IndexMap;
 use tremolite_mesh::locate::Location;
 use tremolite_motion::Motion;
-use tremolite_results::PageWish;
+use tremolite_results::{PageWish, TargetSpectrum};
 
 /// A point whose histories are kept.
 #[derive(Clone, Debug)]
@@ -56,6 +58,10 @@ pub struct Plan {
     pub title: String,
     /// How the page is to be set.
     pub page: PageWish,
+    /// Where → the boundary there while the ground shakes, in words for the summary.
+    pub boundaries: IndexMap<String, String>,
+    /// The spectrum that the design calls for, for the page.
+    pub target: Option<TargetSpectrum>,
     /// Before the earthquake: the equilibrium of what is there at the start, then what is changed; none for a run from rest
     /// without stress.
     pub stages: Vec<PlannedStage>,
@@ -76,6 +82,8 @@ pub struct Plan {
     pub pairs: Vec<PairMonitor>,
     /// Behind these.
     pub bolts: Vec<BoltMonitor>,
+    /// By which codes sections of linings are judged.
+    pub sections: Vec<JudgedBy>,
     /// Pairs of monitors whose relative displacement is kept.
     pub relatives: Vec<[usize; 2]>,
 }

@@ -1,6 +1,7 @@
 //! Forces of a lining's sections: thrust, moment and shear, from the stresses of the elements through its thickness.
 
 mod ends;
+mod integration;
 mod ordered;
 mod steel;
 #[cfg(test)]
@@ -8,6 +9,7 @@ mod tests;
 
 use crate::stacks::{Stack, stacks};
 use ends::intrados_first;
+pub use integration::Integration;
 use ordered::{Ordered, cross, dot, minus, scaled};
 use std::ops::Range;
 pub use steel::Steel;

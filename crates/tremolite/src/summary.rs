@@ -3,8 +3,10 @@
 use crate::damage;
 use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
-use crate::observers::{BoltForces, Extremes};
+use crate::observers::{BoltForces, Extremes, strengths};
 use crate::outcome::run_in_words;
+use crate::plan::Plan;
+use crate::setup::MotionFacts;
 use crate::simulation::Ending;
 use crate::stress::stresses;
 use crate::support;
@@ -94,7 +96,11 @@ pub fn summary(evidence: Evidence) -> Summary {
                 kind: motion.kind.to_string(),
                 factor: motion.factor.unwrap_or(f64::NAN),
                 peak_acceleration: (0..3).map(|i| (axes[i].to_owned(), motion.incident_peak[i])).collect(),
+                given_peak_acceleration: given_peaks(plan, motion).map_or_else(IndexMap::new, |peaks| {
+                    (0..3).map(|i| (axes[i].to_owned(), peaks[i])).collect()
+                }),
                 source: (0..3).map(|i| (axes[i].to_owned(), motion.source.clone())).collect(),
+                target: plan.target.clone(),
                 deconvolved: motion.site.as_ref().map(|site| Deconvolved {
                     depth: site.depth,
                     corner: site.corner.map_or_else(String::new, corner_name),
@@ -107,6 +113,7 @@ pub fn summary(evidence: Evidence) -> Summary {
                     least_at: site.least.1,
                 }),
             }),
+            boundaries: plan.boundaries.clone(),
             run: evidence.run,
             stages: outcome.stages.clone(),
         },
@@ -123,6 +130,7 @@ pub fn summary(evidence: Evidence) -> Summary {
             interfaces,
             pairs: interfaces::monitors(model, plan),
             bolts,
+            sections: strengths(model, plan, memory),
             bolt_monitors: support::monitors(&model.bolts, plan),
         },
         soundness: Soundness {
@@ -138,6 +146,16 @@ pub fn summary(evidence: Evidence) -> Summary {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             defaulted: evidence.defaulted,
         },
+    }
+}
+
+/// Largest acceleration of the motion given, by axis \[m/s²\].
+fn given_peaks(plan: &Plan, motion: &MotionFacts) -> Option<[f64; 3]> {
+    let largest = |a: &Vec<f64>| a.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    match (&plan.recorded, motion.factor) {
+        (Some(recorded), _) => Some(recorded.motion.acceleration.each_ref().map(largest)),
+        (None, Some(factor)) => Some(motion.incident_peak.map(|peak| peak / factor.abs())),
+        (None, None) => None,
     }
 }
 

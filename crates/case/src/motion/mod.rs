@@ -2,6 +2,7 @@
 
 mod component;
 mod site;
+mod target;
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -12,6 +13,7 @@ pub(crate) use component::COMPONENT;
 pub use component::{Component, Direction, Record, RecordUnit, TextColumn};
 pub(crate) use site::unit_weights;
 pub use site::{Corner, Site, SiteLayer};
+pub use target::TargetSpectrum;
 
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
@@ -47,6 +49,12 @@ pub(crate) static MOTION: Table = Table {
         Key::optional("east", Kind::Table(&component::COMPONENT), "", "Component towards east"),
         Key::optional("north", Kind::Table(&component::COMPONENT), "", "Component towards north"),
         Key::optional("up", Kind::Table(&component::COMPONENT), "", "Component upwards"),
+        Key::optional(
+            "target",
+            Kind::Table(&target::TARGET),
+            "",
+            "Spectrum that the design calls for, drawn beside the record's",
+        ),
         Key::optional("window", WINDOW_KIND, "the whole record", "The part of the record that is used"),
         Key::optional(
             "process",
@@ -105,6 +113,8 @@ pub struct Motion {
     pub records: Records,
     /// What a count of the one file is, as written; read by the motion crate. Files of components have their own.
     pub sensitivity: Option<Spanned<String>>,
+    /// The spectrum that the design calls for; nothing is fitted to it.
+    pub target: Option<TargetSpectrum>,
     /// The part that is used; nothing: all.
     pub window: Option<Spanned<Window>>,
     /// Steps of processing as they are written, in this order; read by the motion crate.
@@ -150,6 +160,7 @@ impl Motion {
         });
         Some(Motion {
             window,
+            target: f.table("target").map(TargetSpectrum::read),
             sensitivity: f.text("sensitivity"),
             process: f.texts("process"),
             model_x_azimuth: f.number("model_x_azimuth")?,
@@ -174,6 +185,7 @@ impl Motion {
     /// What lies between keys; looks at each value that is good, whatever the others are.
     pub(crate) fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
         site::check(f, problems);
+        f.table("target").into_iter().for_each(|target| TargetSpectrum::check(target, problems));
         if let Some(window) = f.get("window").and_then(Node::numbers::<2>)
             && window.value[1] <= window.value[0]
         {

@@ -3,6 +3,7 @@
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::print;
 use std::path::PathBuf;
+use tremolite_case::Limits;
 use tremolite_report::Language;
 
 #[derive(clap::Args)]
@@ -16,6 +17,9 @@ pub struct Args {
     /// Where the comparison is written
     #[arg(long, value_name = "FILE", default_value = "comparison.html", requires = "compare")]
     out: PathBuf,
+    /// Limits of acceptance in place of those of the case: a file with the keys of [report.limits]
+    #[arg(long, value_name = "FILE", conflicts_with = "compare")]
+    limits: Option<PathBuf>,
     /// The page's language, en or zh; left out, that of the (first) case
     #[arg(long, value_name = "CODE")]
     language: Option<Language>,
@@ -25,7 +29,15 @@ pub fn run(args: &Args) -> Outcome {
     for folder in args.folder.iter().chain(&args.compare) {
         tremolite_results::ResultFolder::open_existing(folder).map_err(Failure::input)?;
     }
+    let limits = match &args.limits {
+        Some(file) => Some(Limits::from_file(file).map_err(Failure::input)?),
+        None => None,
+    };
     let page = match (&args.folder, args.language) {
+        (Some(folder), language) if limits.is_some() => {
+            let limits = limits.iter().flat_map(tremolite::setup::limits);
+            tremolite_report::write_held(folder, language, limits)
+        }
         (None, language) => {
             tremolite_report::compare(&args.compare, &args.out, language).map(|()| args.out.clone())
         }

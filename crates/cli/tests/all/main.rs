@@ -36,4 +36,5 @@ mod stages;
 mod study;
 mod unlikely;
 mod unseen;
+mod utilisation;
 mod verify;

@@ -46,6 +46,8 @@ impl Evaluated {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum See {
     Nothing,
+    /// Stresses of some members alone ([`Engine::glance_at`]): the rest of the snapshot is empty, and nothing is booked.
+    Glance,
     Look,
 }
 
@@ -71,9 +73,16 @@ pub struct Look {
 impl Engine {
     /// Evaluates all active parts at a state, and sees what is wished of it.
     pub fn evaluate(&mut self, mut state: State, see: See) -> Evaluated {
-        let mut probed = (see != See::Nothing).then(Probed::default);
+        let mut probed =
+            (see != See::Nothing).then(|| Probed { glance: see == See::Glance, ..Probed::default() });
         self.evaluate_at(&mut state, probed.as_mut());
-        let snapshot = probed.map(|probed| self.snapshot(&state, state.kept(), probed));
+        let snapshot = probed.map(|probed| match see {
+            See::Glance => {
+                let (step, time) = (state.steps(), state.time());
+                Snapshot { step, time, stress: probed.stress, energy: probed.energy, ..Snapshot::default() }
+            }
+            _ => self.snapshot(&state, state.kept(), probed),
+        });
         let (model, phase) = (self.model.clone(), self.phase.clone());
         Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot }
     }

@@ -44,6 +44,8 @@ impl Forces {
 pub(super) struct Probed {
     pub stress: Vec<[f64; 6]>,
     pub energy: Vec<ElementEnergy>,
+    /// Whether only the members of a glance are probed; stresses of others are then not numbers.
+    pub glance: bool,
 }
 
 /// What an evaluation works on.
@@ -159,7 +161,7 @@ impl Engine {
     }
 
     fn parts_at(&mut self, subject: Subject, probed: Option<&mut Probed>) {
-        let Engine { model, assembly, phase, forces, poisoned, .. } = self;
+        let Engine { model, assembly, phase, forces, poisoned, glanced, .. } = self;
         if forces.contributions.is_empty() {
             *forces = Forces::room(model, assembly, phase);
         }
@@ -173,8 +175,10 @@ impl Engine {
         let slices: Vec<&Slices> = active.iter().map(|&m| &assembly.slices[m as usize]).collect();
         let slices = &slices[..];
         let totals = assembly.totals();
+        let glance = probed.as_ref().is_some_and(|probed| probed.glance);
         let mut probes = probed.map(|probed| {
-            probed.stress = vec![[0.0; 6]; totals.points.end];
+            let unknown = if glance { f64::NAN } else { 0.0 };
+            probed.stress = vec![[unknown; 6]; totals.points.end];
             probed.energy = vec![ElementEnergy::default(); totals.elements.end];
             let stress = split(&mut probed.stress, slices, |s| s.points.clone());
             let energy = split(&mut probed.energy, slices, |s| s.elements.clone());
@@ -205,7 +209,7 @@ impl Engine {
                 numbers,
                 reference,
                 initial: &initial[slices.initial.clone()],
-                probe: probes.as_mut().and_then(Iterator::next),
+                probe: probes.as_mut().and_then(Iterator::next).filter(|_| !glance || glanced.contains(&m)),
             })
             .collect();
         // One by one: members differ in cost, and half of what is left would be too much to hand over at the end.

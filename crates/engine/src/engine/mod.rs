@@ -16,7 +16,8 @@
 //! **Passes.** A step is: evaluate the parts at u^n, combine what they push with, advance the nodes pass by pass with leaders first,
 //! book, and go on with u^{n+1}. An [`Evaluated`] state is the state and the forces made from it in one value: nothing else can be
 //! stepped with them. What is planned to be seen is probed as the parts are evaluated; a [look](Engine::look) at any other time
-//! evaluates them on copies of their memory. So looking changes nothing.
+//! evaluates them on copies of their memory. So looking changes nothing. A [glance](See::Glance) probes some members alone and books
+//! nothing, for those who follow stresses in every step.
 //!
 //! **Levels.** In the shaking nodes of level l make steps of 2^l Δt ([`Levels`](crate::Levels)), and each part steps as the finest
 //! node that it pushes. The state keeps increments a step of the finest level, whoever's they are. Coarser nodes that a part pushes or
@@ -65,6 +66,7 @@ use crate::model::Model;
 use crate::phase::Phase;
 use crate::state::State;
 use evaluation::Forces;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// The engine for a phase of a model, on one machine. It shares them and owns nothing but room: a state is given to it.
@@ -80,6 +82,8 @@ pub struct Engine {
     noise: f64,
     /// Whether everything that a part did not name is not a number to it.
     poisoned: bool,
+    /// Members whose stresses a glance shows.
+    glanced: HashSet<u32>,
 }
 
 impl Engine {
@@ -90,6 +94,7 @@ impl Engine {
             quiet: false,
             noise: guard::noise(model, phase),
             poisoned: false,
+            glanced: HashSet::new(),
             model: model.clone(),
             assembly: assembly.clone(),
             phase: phase.clone(),
@@ -102,6 +107,11 @@ impl Engine {
     pub fn poisoned(mut self) -> Self {
         self.poisoned = true;
         self
+    }
+
+    /// Says of which members a [glance](See::Glance) shows the stresses.
+    pub fn glance_at(&mut self, members: impl IntoIterator<Item = u32>) {
+        self.glanced = members.into_iter().collect();
     }
 
     pub fn phase(&self) -> &Arc<Phase> {

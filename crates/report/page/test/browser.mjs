@@ -50,6 +50,8 @@ export async function withPage(running, folder, act, options = {}) {
 /** A figure with curves, once it answers. */
 export async function answering(page, file) {
   const figure = page.locator(`figure[data-curves="${file}"]`);
+  // Details are folded away until one opens them.
+  await figure.evaluate((element) => element.closest("details")?.setAttribute("open", ""));
   await figure.scrollIntoViewIfNeeded();
   await page.locator(`figure.answers[data-curves="${file}"]`).waitFor();
   await figure.scrollIntoViewIfNeeded();

@@ -10,7 +10,10 @@ pub const TEXTS: Texts = &[
     ("largest closure over its limit", "最大闭合量与其极限之比"),
     ("largest slip over element size", "最大滑移量与单元尺寸之比"),
     ("largest gap over element size", "最大张开量与单元尺寸之比"),
-    ("pairs beyond the pressure from which the law is straight", "压力超过本构转为线性之值的节点对数"),
+    (
+        "interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness",
+        "压力超过本构转为线性之值的节点对数",
+    ),
     ("energy found at impacts over energy supplied", "碰撞产生的能量与输入能量之比"),
     ("time step times frequency of the stiffest pair", "时间步长与最刚节点对频率之积"),
     ("motion above the input's band beside the interface", "接触面附近高于输入频带的运动"),

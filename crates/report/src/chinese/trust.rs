@@ -165,8 +165,8 @@ pub const TEXTS: Texts = &[
         "largest difference of all rows between the energy found and the energy put in, every line booked by itself, but for ⅛Δt²aᵀMa, which belongs to the scheme, and for what jumps of damage within a step leave, {jumps} J at most, which the bodies' own checks judge",
         "各数据行中求得的能量与输入能量之差的最大值，各项独立记录；不含属于积分格式本身的 ⅛Δt²aᵀMa，也不含损伤在一步内突变所遗留的部分（至多 {jumps} J，由各体自身的检查判断）",
     ),
-    ("work in no line over energy dissipated", "未计入各能量项的功与耗散能之比"),
-    ("work in no line over energy dissipated, {body}", "未计入各能量项的功与耗散能之比，{body}"),
+    ("unaccounted work over dissipated energy", "未计入各能量项的功与耗散能之比"),
+    ("unaccounted work over dissipated energy, {body}", "未计入各能量项的功与耗散能之比，{body}"),
     ("nothing was damaged and nothing flowed", "既无损伤也无塑性流动"),
     (
         "largest of all rows, over all that was dissipated in the end: work on the body's elements less what they hold, have dissipated and created; damage that jumps within a step leaves some, which shrinks with the step",

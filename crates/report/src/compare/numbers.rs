@@ -7,6 +7,8 @@ use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::facts::ByName;
 use crate::language::{Language, say};
 use crate::quantities::scale::{Scale, figures, trimmed};
+use crate::section_forces::stations::{KILO, linings};
+use crate::source::Source;
 
 /// A table under its heading.
 pub struct Compared {
@@ -62,13 +64,67 @@ pub fn tables(runs: &[Run], language: Language) -> Vec<Compared> {
         (say!(language, "Largest slip and gap of interfaces"), "m", Box::new(|s| slip(s, language))),
         (say!(language, "Largest force of bolts over the force at which they yield"), "", Box::new(bolts)),
         (say!(language, "Motion of walls when the stages are done"), "m", Box::new(walls)),
+        (say!(language, "Utilisation of sections"), "", Box::new(|s| used(s, language))),
         (say!(language, "Lines of the energy balance at the end"), "J", Box::new(energy)),
     ];
+    let forces = gather(runs.iter().map(|run| section_forces(&run.source, language)));
+    let forces = (!forces.is_empty()).then(|| Compared {
+        heading: say!(language, "Largest section forces of linings, by size"),
+        table: table(runs, &forces, "kN/m, kN"),
+    });
     let each = tables.into_iter().filter_map(|(heading, unit, of)| {
         let rows = gather(facts.iter().map(of));
         (!rows.is_empty()).then(|| Compared { heading, table: table(runs, &rows, unit) })
     });
-    each.collect()
+    each.chain(forces).collect()
+}
+
+/// The largest N, M and Q of each lining by size, in thousands: of the last stage, and of the shaking.
+fn section_forces(source: &Source, language: Language) -> Vec<(String, f64)> {
+    let Some(Ok(rows)) = &source.sections else { return Vec::new() };
+    let mut numbers = Vec::new();
+    for lining in linings(language, rows, &source.facts()) {
+        for (i, force) in ["N", "M", "Q"].into_iter().enumerate() {
+            let after = lining.stations.iter().map(|s| s.after[i]);
+            let shaken =
+                lining.stations.iter().flat_map(|s| [s.least, s.most]).flatten().map(|e| e.forces[i]);
+            let most = |all: Vec<f64>| {
+                let sizes = all.into_iter().map(|x| KILO * x.abs()).filter(|x| x.is_finite());
+                sizes.max_by(f64::total_cmp)
+            };
+            let name = &lining.name;
+            for (label, value) in [
+                (
+                    say!(language, "{lining}: {force}, after the stages", lining = name, force = force),
+                    most(after.collect()),
+                ),
+                (
+                    say!(
+                        language,
+                        "{lining}: {force}, while the ground shakes",
+                        lining = name,
+                        force = force
+                    ),
+                    most(shaken.collect()),
+                ),
+            ] {
+                numbers.extend(value.map(|value| (label, value)));
+            }
+        }
+    }
+    numbers
+}
+
+fn used(summary: &Summary, language: Language) -> Vec<(String, f64)> {
+    let both = |(name, of): (&String, &tremolite_results::SectionStrength)| {
+        let value =
+            |used: &Option<tremolite_results::Used>| used.as_ref().map_or(f64::NAN, |used| used.value);
+        [
+            (say!(language, "{lining}: thrust and moment", lining = name), value(&of.bending)),
+            (say!(language, "{lining}: shear", lining = name), value(&of.shear)),
+        ]
+    };
+    summary.parts.sections.iter().flat_map(both).collect()
 }
 
 /// The checks of all runs.
@@ -124,12 +180,16 @@ fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
         rows.iter().flat_map(|row| row.values.iter().flatten()).fold(0.0_f64, |most, x| most.max(x.abs()));
     let scale = match unit {
         "%" => Scale { factor: 100.0, unit: "%".into() },
+        // In thousands already.
+        "kN/m, kN" => Scale { factor: 1.0, unit: unit.into() },
         unit => Scale::suiting(unit, largest),
     };
     let mut head = head(runs);
     head[0].text = if scale.unit.is_empty() { String::new() } else { format!("({})", scale.unit) };
     // Beside the largest of the table the rest may be round-off.
     let negligible = 1e-9 * largest;
+    // And less than a thousandth of it is nothing to take a share of.
+    let small = 1e-3 * largest;
     let row = |row: &NumberRow| {
         let first = row.values[0];
         let cell = |(run, value): (usize, &Option<f64>)| {
@@ -137,7 +197,7 @@ fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
             let shown = if value.abs() <= negligible { "0".into() } else { scale.number(*value) };
             let cell = Cell::number(shown);
             match first.filter(|_| run > 0) {
-                Some(first) => cell.with(difference(first, *value, negligible)),
+                Some(first) => cell.with(difference(first, *value, small)),
                 None => cell,
             }
         };
@@ -149,12 +209,12 @@ fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
 
 /// By how much the size differs from the first value's, in percent; a dash where that is nothing to compare with, and arrows
 /// where the sign is another.
-fn difference(first: f64, value: f64, negligible: f64) -> String {
+fn difference(first: f64, value: f64, small: f64) -> String {
     // The same to what sums in another order leave.
     if (value - first).abs() <= 1e-12 * first.abs() {
         return "=".into();
     }
-    if first.abs() <= negligible || first == 0.0 {
+    if first.abs() <= small || first == 0.0 {
         return "–".into();
     }
     let percent = 100.0 * (value.abs() - first.abs()) / first.abs();

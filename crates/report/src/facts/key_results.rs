@@ -26,12 +26,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         }
     };
     if let Ok(table) = &source.monitors {
-        let (mut loose, mut counted): (Vec<&String>, Vec<&String>) =
-            facts.monitors.peaks.keys().partition(|name| facts.monitors.on_broken_elements.contains(name));
-        // Where all are loose they are all there is.
-        if counted.is_empty() {
-            std::mem::swap(&mut loose, &mut counted);
-        }
+        let (loose, counted) = counted(&facts);
         let loose: Vec<&str> = loose.into_iter().map(String::as_str).collect();
         if let Some((monitor, time, size)) = longest(table, counted.into_iter()) {
             let note = say!(
@@ -95,6 +90,18 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         ));
     }
     cards
+}
+
+/// Monitors on loose pieces, and those that count; where all are loose they are all there is.
+fn counted(facts: &Summary) -> (Vec<&String>, Vec<&String>) {
+    let (loose, counted): (Vec<&String>, Vec<&String>) =
+        facts.monitors.peaks.keys().partition(|name| facts.monitors.on_broken_elements.contains(name));
+    if counted.is_empty() { (counted, loose) } else { (loose, counted) }
+}
+
+/// Monitor, time (s) and length (m) of the largest displacement, without loose pieces.
+pub fn largest_displacement<'a>(source: &Source, facts: &'a Summary) -> Option<(&'a str, f64, f64)> {
+    longest(source.monitors.as_ref().ok()?, counted(facts).1.into_iter())
 }
 
 /// What the stages before the shaking left: the most that a wall moved, what has yielded, and how far from rest it is.

@@ -27,6 +27,8 @@ pub struct PagePart {
     id: String,
     heading: String,
     template: bool,
+    /// Whether it is folded away until one asks for it.
+    folded: bool,
     why: String,
     figures: Vec<PageDrawing>,
     blocks: Vec<Paragraph>,
@@ -53,9 +55,24 @@ fn paragraph(block: &Block) -> Paragraph {
     }
 }
 
+/// Sections of detail, folded away on a screen: what repeats others in other words, and what was left to defaults.
+const FOLDED: [&str; 9] = [
+    "displacement-less-mean",
+    "stress-elastic",
+    "velocity",
+    "acceleration",
+    "further",
+    "peaks",
+    "free-field",
+    "materials",
+    "defaulted",
+];
+
 /// A section as it is set.
 pub fn part(placed: &Placed) -> PagePart {
-    let part = PagePart { id: placed.id.clone(), heading: placed.heading.clone(), ..PagePart::default() };
+    let folded = FOLDED.iter().any(|id| placed.id == *id || placed.id.starts_with(&format!("{id}-")));
+    let part =
+        PagePart { id: placed.id.clone(), heading: placed.heading.clone(), folded, ..PagePart::default() };
     match &placed.content {
         Content::Template => PagePart { template: true, ..part },
         Content::Section(Section::LeftOut { why, .. }) => PagePart { why: why.clone(), ..part },

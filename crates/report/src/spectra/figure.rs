@@ -55,6 +55,8 @@ pub struct DrawnSpectra<'a> {
     pub point: &'a SpectrumPlace<'a>,
     pub colour: usize,
     pub pen: Pen,
+    /// Periods (s) of its own; nothing: those of the file.
+    pub periods: Option<&'a [f64]>,
 }
 
 /// Spectra of one pair of axes, or of several components.
@@ -192,9 +194,11 @@ fn heading(row: &SpectraRow, axis: usize, language: Language) -> String {
 
 fn curves(row: &SpectraRow, axis: usize, periods: &[f64], scale: &Scale) -> Vec<PlotCurve> {
     let curve = |drawn: &DrawnSpectra| {
-        let points = periods.iter().zip(drawn.point.spectrum[axis]);
+        let points = drawn.periods.unwrap_or(periods).iter().zip(drawn.point.spectrum[axis]);
         let points = points.map(|(period, value)| (*period, value * scale.factor)).collect();
         PlotCurve::new(drawn.name.clone(), drawn.colour, drawn.pen, points)
     };
-    row.drawn.iter().map(curve).collect()
+    // Nothing is drawn of what has no such component.
+    let known = |drawn: &&DrawnSpectra| !drawn.point.spectrum[axis].is_empty();
+    row.drawn.iter().filter(known).map(curve).collect()
 }

@@ -44,7 +44,7 @@ fn row(page: &str, heading: &str, label: &str) -> Vec<String> {
     let text = |cell: &str| {
         let (_, text) = cell.split_once('>').unwrap();
         let (text, _) = text.split_once("</td>").unwrap();
-        text.replace("<span class=\"note\">", " | ").replace("</span>", "").replace('\u{a0}', " ")
+        text.replace(" <span class=\"note\">", " | ").replace("</span>", "").replace('\u{a0}', " ")
     };
     cells.map(text).collect()
 }
@@ -106,7 +106,8 @@ fn a_run_that_is_not_done_says_so_and_is_compared_as_far_as_it_came() {
     let page = page(&folders, temp.path());
     assert!(page.contains("Not run to the end: stopped, failed, gone."));
     let ended = page.split("<td>how it ended</td>").nth(1).unwrap().split("</tr>").next().unwrap();
-    for text in [">done<", ">stopped<span class=\"note\">at 0.5 of 2\u{a0}s<", ">failed<", ">no summary<"] {
+    for text in [">done<", ">stopped <span class=\"note\">at 0.5 of 2\u{a0}s<", ">failed <", ">no summary <"]
+    {
         assert!(ended.contains(text), "{text} in {ended}");
     }
     assert_eq!(row(&page, "Histories: largest difference", "A ux"), ["= | up to 0.5 s", "=", "="]);

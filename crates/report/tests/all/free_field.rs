@@ -120,7 +120,7 @@ fn one_sentence_says_what_was_asked_for_and_what_came() {
          peak)",
         "the model's own base, mean of the four corners, at 100 mm/s (differing from the column's by at most 0 % of its peak).",
         "This file holds the mean of the model's four corners alone",
-        "<td>mean of the four corners<span class=\"note\">beside reference</span></td><td>x</td><td class=\"n\">194</td>",
+        "<td>mean of the four corners <span class=\"note\">beside reference</span></td><td>x</td><td class=\"n\">194</td>",
         "rows of free_field.csv, 10 ms apart",
         "Not drawn: z, nowhere more than",
     ] {
@@ -163,7 +163,8 @@ fn of_many_columns_the_one_farthest_from_theory_is_drawn_and_all_are_tabled() {
     assert!(text.contains("Of the 3 columns the one farthest from theory is drawn, ymin-xmax."), "{text}");
     assert!(
         text.contains("no theory for ymax-xmax.")
-            && text.contains("<td>mean of the four corners<span class=\"note\">beside ymin-xmax</span></td>"),
+            && text
+                .contains("<td>mean of the four corners <span class=\"note\">beside ymin-xmax</span></td>"),
         "{text}"
     );
     let drawing = drawing(&folder);
@@ -358,11 +359,11 @@ fn errors_of_corners_do_not_cancel_and_the_worst_is_named_and_drawn() {
         "The corner of the model farthest from its column is xmin-ymin: by 12 % of the peak of column \
          reference-xmin-ymin+xmin-ymax, along x at the surface.",
         "Drawn is the corner of the model that is farthest from its column, xmin-ymin, and that column",
-        "<td>xmax-ymin<span class=\"note\">beside reference-xmax-ymin+xmax-ymax</span></td><td>x</td><td class=\"n\">368</td><td class=\"n\">400</td><td \
+        "<td>xmax-ymin <span class=\"note\">beside reference-xmax-ymin+xmax-ymax</span></td><td>x</td><td class=\"n\">368</td><td class=\"n\">400</td><td \
          class=\"n\">8.0</td>",
-        "<td>xmin-ymax<span class=\"note\">beside reference-xmin-ymin+xmin-ymax</span></td><td>x</td><td class=\"n\">184</td><td class=\"n\">200</td><td \
+        "<td>xmin-ymax <span class=\"note\">beside reference-xmin-ymin+xmin-ymax</span></td><td>x</td><td class=\"n\">184</td><td class=\"n\">200</td><td \
          class=\"n\">8.0</td>",
-        "<td>xmax-ymax<span class=\"note\">beside reference-xmax-ymin+xmax-ymax</span></td><td>x</td><td class=\"n\">424</td><td class=\"n\">400</td><td \
+        "<td>xmax-ymax <span class=\"note\">beside reference-xmax-ymin+xmax-ymax</span></td><td>x</td><td class=\"n\">424</td><td class=\"n\">400</td><td \
          class=\"n\">6.0</td>",
         "A reference column is named by the corners of the model that it stands for.",
     ] {

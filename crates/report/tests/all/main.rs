@@ -15,6 +15,7 @@ mod odd_names;
 mod one_unit;
 mod page;
 mod report;
+mod sheets;
 mod spectra;
 mod stages;
 mod verdict;

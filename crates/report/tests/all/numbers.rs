@@ -18,7 +18,7 @@ use tremolite_report::Language;
 use tremolite_results::Summary;
 
 use self::sources::Pages;
-use super::{bolts, deconvolved, free_field, interface_results, page, report, stages};
+use super::{bolts, deconvolved, free_field, interface_results, page, report, sheets, stages};
 
 /// By how much numbers are scaled at most, up and down: enough to be seen in three figures, too little to make another
 /// monitor the one that moves most wherever that can be helped.
@@ -110,6 +110,21 @@ fn numbers_of_monitors_checks_and_damage_stand_in_the_files() {
         ),
     ];
     assert_sound(temp.path(), Language::English, &derived);
+}
+
+#[test]
+fn numbers_of_the_two_sheets_stand_in_the_files() {
+    let temp = tempfile::tempdir().unwrap();
+    sheets::results(temp.path());
+    for language in [Language::English, Language::Chinese] {
+        let derived = [
+            // Of all monitors, and over what the balance's rows hold together, as on the cards of other pages.
+            ("over: length of the displacement of B", " | "),
+            ("over: largest of monitors", " | "),
+            ("over: error over the largest energy held", " | "),
+        ];
+        assert_sound(temp.path(), language, &derived);
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What the case asked for and left open, and what it was read from.
 
+use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::Fact;
@@ -24,19 +25,37 @@ pub struct CaseFacts {
     pub defaulted: Vec<Defaulted>,
 }
 
-/// How the case wants its page set.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// How the case wants its page set, and what is to stand on its first sheet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct PageWish {
     /// `en` or `zh`.
     pub language: String,
     /// Whether the page holds the model in three dimensions.
     pub view: bool,
+    /// The project, and the level of the design earthquake, in the case's words; empty where it does not say.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub project: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub design_level: String,
+    /// `designed`, `checked`, `reviewed`, `approved` → who did; those left out are lines to sign on.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub signed: IndexMap<String, String>,
+    /// `displacement` (m), `crack_width` (m), `damage` (1), `utilisation` (1) → limit of acceptance.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub limits: IndexMap<String, f64>,
 }
 
 impl Default for PageWish {
     fn default() -> Self {
-        PageWish { language: "en".into(), view: true }
+        PageWish {
+            language: "en".into(),
+            view: true,
+            project: String::new(),
+            design_level: String::new(),
+            signed: IndexMap::new(),
+            limits: IndexMap::new(),
+        }
     }
 }
 

@@ -21,6 +21,9 @@ pub struct Computed {
     pub materials: IndexMap<String, MaterialFacts>,
     /// The motion that went in.
     pub motion: MotionFacts,
+    /// `base`, `x`, `y`, `top` → the boundary there while the ground shakes, by its word in a case; empty without an earthquake.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub boundaries: IndexMap<String, String>,
     /// Program and machine.
     pub run: RunFacts,
     /// Stages before the earthquake, in their order; the first is the initial equilibrium.
@@ -68,11 +71,25 @@ pub struct MotionFacts {
     /// Axis of the model (`x`, `y`, `z`) → largest acceleration of the incident motion, by size (m/s²).
     #[serde(deserialize_with = "number::deserialize_map")]
     pub peak_acceleration: IndexMap<String, f64>,
+    /// The same of the motion given; empty in files of other versions.
+    #[serde(deserialize_with = "number::deserialize_map", skip_serializing_if = "IndexMap::is_empty")]
+    pub given_peak_acceleration: IndexMap<String, f64>,
     /// Axis of the model → where its record came from, in words.
     pub source: IndexMap<String, String>,
+    /// The spectrum that the design calls for of the motion given, horizontal, with 5 % damping.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub target: Option<TargetSpectrum>,
     /// How it was deconvolved, where it was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deconvolved: Option<Deconvolved>,
+}
+
+/// A response spectrum: periods (s), ascending, and the acceleration at each (m/s²).
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct TargetSpectrum {
+    pub period: Vec<f64>,
+    pub sa: Vec<f64>,
 }
 
 /// How the wave that comes in was deconvolved from a record on or within layered ground.

@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{BoltPlace, BoltSummary, GroupDamage, GroupStress, InterfaceSummary, PairPlace};
+use crate::{BoltPlace, BoltSummary, GroupDamage, GroupStress, InterfaceSummary, PairPlace, SectionStrength};
 
 /// What became of the parts of the model, by name: groups of elements, interfaces, groups of bolts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -18,6 +18,9 @@ pub struct PartFacts {
     pub interfaces: IndexMap<String, InterfaceSummary>,
     /// Monitor on an interface → its pair.
     pub pairs: IndexMap<String, PairPlace>,
+    /// Lining → what its sections use of their strength; those that no code judges are left out.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub sections: IndexMap<String, SectionStrength>,
     /// Group of bolts → what became of them.
     pub bolts: IndexMap<String, BoltSummary>,
     /// Monitor on a bolt → its segment.

@@ -4,6 +4,7 @@ use super::observer::{CycleMade, Event, Observer, OwnObservers, Setting, Stepped
 use super::unseen::Unseen;
 use crate::error::RunError;
 use tremolite_engine::engine::Rest;
+use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
 
 /// Observers with what they want.
@@ -61,6 +62,35 @@ impl Audience {
             match self.poisoned {
                 false => observer.told(&Event::Look(*view), memory)?,
                 true => observer.told(&Event::Look(Unseen::of(view, wants).view(view)), memory)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether anybody wants to glance at every step of the coarsest level.
+    pub fn glances(&self) -> bool {
+        self.all.iter().any(|(_, wants)| wants.glances)
+    }
+
+    /// The members that hold the elements which are glanced at.
+    pub fn glanced(&self, phase: &Phase) -> Vec<u32> {
+        let glancing = || self.all.iter().filter(|(_, wants)| wants.glances);
+        let seen = |e: &usize| glancing().any(|(_, wants)| wants.elements.has(*e));
+        let slots = phase.element_slot.iter().enumerate().filter(|(e, _)| seen(e));
+        let mut members: Vec<u32> = slots.filter_map(|(_, slot)| Some(slot.as_ref()?.member)).collect();
+        members.dedup();
+        members
+    }
+
+    /// Shows a step to those who glance.
+    ///
+    /// # Errors
+    /// If a result file cannot be written.
+    pub fn glance(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
+        for (observer, wants) in self.all.iter_mut().filter(|(_, wants)| wants.glances) {
+            match self.poisoned {
+                false => observer.told(&Event::Glance(*view), memory)?,
+                true => observer.told(&Event::Glance(Unseen::of(view, wants).view(view)), memory)?,
             }
         }
         Ok(())

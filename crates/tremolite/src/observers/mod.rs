@@ -23,6 +23,7 @@ mod spectra;
 mod stages;
 mod steps;
 mod unseen;
+mod utilisation;
 
 pub(crate) use audience::Audience;
 pub use bolt_fields::{BoltFields, BoltGrid};
@@ -48,6 +49,7 @@ pub use section_forces::{SectionForces, SectionTable};
 pub use spectra::Spectra;
 pub use stages::{Beginning, Beside, summaries, uneven};
 pub use steps::{Extremes, StepPeaks};
+pub use utilisation::{Utilisation, strengths};
 
 use crate::error::RunError;
 use stages::{Begins, BesidePlanes, Relaxation, StageGrids, StageRows};
@@ -70,6 +72,7 @@ const OF_STAGES: &[fn(&Setting) -> Made] = &[
     |s| boxed(BesidePlanes::new(s)),
     |s| boxed(BoltsOfStages::new(s)),
     |s| boxed(SectionTable::new(s)),
+    |s| boxed(Utilisation::new(s)),
 ];
 
 /// Those of the shaking.
@@ -88,6 +91,7 @@ const OF_SHAKING: &[fn(&Setting) -> Made] = &[
     |s| boxed(Growth::new(s)?),
     |s| boxed(Fields::new(s)?),
     |s| boxed(SectionTable::new(s)),
+    |s| boxed(Utilisation::new(s)),
     |s| boxed(Interfaces::new(s)?),
     |s| boxed(Rings::new(s)),
     |s| boxed(InterfaceFields::new(s)?),

@@ -81,6 +81,9 @@ impl Which {
 pub struct Wants {
     /// When it looks in the shaking.
     pub looks: Option<Schedule>,
+    /// Whether it glances at every step of the coarsest level, its last included: at times and stresses of the elements that it
+    /// wants and what members remember, nothing else. Cheaper than a look where the elements are few.
+    pub glances: bool,
     /// Of how many cycles of a stage's relaxation it is told of one.
     pub cycles: Option<u64>,
     /// Engine nodes whose motion it sees in looks and at the end of a stage.
@@ -112,6 +115,8 @@ pub enum Event<'e> {
     StagesTaken,
     /// A look that was due, before the step on from there.
     Look(View<'e>),
+    /// The same for those who glance, where there need not be a look.
+    Glance(View<'e>),
     /// A step was made.
     Step(Stepped<'e>),
     /// The shaking is over, or stops here at this time \[s\]: what is written whole is to be written.

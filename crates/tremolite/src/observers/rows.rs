@@ -109,6 +109,7 @@ mod tests {
         Plan {
             monitors: vec![monitor("a.b-c"), monitor("d")],
             relatives: vec![[0, 1]],
+            sections: Vec::new(),
             pairs: vec![PairMonitor { name: "joint".into(), point, interface: 0 }],
             bolts: vec![BoltMonitor { name: "bar".into(), point, set: 0 }],
             ..plan(&[])

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::bolts::SegmentSeen;
 use tremolite_engine::member::Kind;
-use tremolite_engine::phase::ElementSlot;
+use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_engine::{Model, Stage};
 use tremolite_results::{ResultFolder, SectionRow, write_sections};
@@ -89,8 +89,13 @@ impl SectionForces {
         self.stations.iter().map(|(_, station)| station.place)
     }
 
+    /// The stations, each with the group that it is in and the bars in it.
+    pub(super) fn stations(&self) -> impl Iterator<Item = (&(String, Station), &Vec<Steel>)> {
+        self.stations.iter().zip(&self.steel)
+    }
+
     /// What the forces are made of: elements, or what these were before their material changed, and bars.
-    fn wants(&self, model: &Model, assembly: &Assembly) -> Wants {
+    pub(super) fn wants(&self, model: &Model, assembly: &Assembly) -> Wants {
         let earlier = |e: &u32| model.elements.successors.get(e).copied();
         let stacked = self.stations.iter().flat_map(|(_, station)| &station.stack);
         let elements = stacked.flat_map(|&(e, _)| std::iter::successors(Some(e), earlier));
@@ -260,8 +265,13 @@ fn steel(model: &Model, stations: &[(String, Station)]) -> Vec<Vec<Steel>> {
 
 /// Where an element has its place, or what it was before its material changed; none where neither stands.
 fn slot_of<'v>(view: &View<'v>, element: u32) -> Option<&'v ElementSlot> {
-    let earlier = |e: &u32| view.model.elements.successors.get(e).copied();
-    std::iter::successors(Some(element), earlier).find_map(|e| view.phase.element_slot[e as usize].as_ref())
+    slot_in(view.model, view.phase, element)
+}
+
+/// The same in a phase of a model.
+pub(super) fn slot_in<'p>(model: &Model, phase: &'p Phase, element: u32) -> Option<&'p ElementSlot> {
+    let earlier = |e: &u32| model.elements.successors.get(e).copied();
+    std::iter::successors(Some(element), earlier).find_map(|e| phase.element_slot[e as usize].as_ref())
 }
 
 #[cfg(test)]

@@ -31,7 +31,7 @@ const UNKNOWN: ElementEnergy = ElementEnergy {
 };
 
 impl Which {
-    fn has(&self, one: usize) -> bool {
+    pub(super) fn has(&self, one: usize) -> bool {
         match self {
             Which::Nothing => false,
             Which::Some(all) => all.binary_search(&(one as u32)).is_ok(),

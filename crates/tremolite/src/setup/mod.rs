@@ -13,11 +13,13 @@ mod memory;
 mod mesh;
 mod monitors;
 mod motion;
+mod page;
 mod places;
 mod planes;
 mod records;
 mod regions;
 mod reinforcement;
+mod sections;
 mod sides;
 mod site;
 mod stages;
@@ -27,6 +29,7 @@ mod warnings;
 pub use facts::{MotionFacts, SiteFacts};
 pub use inputs::{changed, hash, original_folder};
 pub use memory::Inputs;
+pub use page::limits;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
@@ -38,7 +41,7 @@ use tremolite_engine::{Base, Body, Interface, Life, Problem, Rayleigh, TimeStep,
 use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
-use tremolite_results::{Input, MaterialFacts, PageWish};
+use tremolite_results::{Input, MaterialFacts};
 
 /// All a run needs, and what of the input is worth reporting.
 pub struct Setup {
@@ -176,6 +179,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let at_bolts = bolts::monitors(case, &mesh, &mut problems);
     let solid = staged.solid();
     let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
+    let judged = sections::build(case, &mesh, &staged.places, &solid, &mut problems);
     let (base, base_without_springs) =
         springs_or_none(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
     if !problems.is_empty() {
@@ -258,7 +262,9 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),
-        page: PageWish { language: case.page.language.word().into(), view: case.page.view },
+        page: page::wish(&case.page),
+        boundaries: boundaries(case),
+        target: case.motion.as_ref().and_then(|motion| motion.target.as_ref()).map(page::target),
         stages: Staged::plan(case),
         duration,
         recorded: recorded.flatten(),
@@ -269,11 +275,21 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         monitors,
         pairs,
         bolts: at_bolts,
+        sections: judged,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };
     let inputs = inputs::inputs(case, held);
     let warnings = case.keyed(warnings);
     Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
+}
+
+/// The boundaries while the ground shakes, by their words.
+fn boundaries(case: &Case) -> IndexMap<String, String> {
+    let dynamic = &case.dynamic;
+    let [x, y] = dynamic.sides.each_ref().map(|side| side.value.word());
+    let all = [("base", dynamic.base.value.word()), ("x", x), ("y", y), ("top", dynamic.top.value.word())];
+    let all = all.into_iter().filter(|_| case.motion.is_some());
+    all.map(|(place, word)| (place.to_owned(), word.to_owned())).collect()
 }
 
 /// The place of one of the case's monitors among those in elements.

@@ -107,6 +107,7 @@ impl Simulation {
             }
         }
         let audience = self.audience(&self.phase, &self.state)?;
+        engine.glance_at(audience.glanced(&self.phase));
         Ok(Shaking {
             engine,
             audience,
@@ -125,19 +126,22 @@ impl Simulation {
             return how.clone().ok_or(RunError::Spoiled(self.state.steps()));
         }
         let step = self.state.steps();
+        let glances = shaking.audience.glances();
         let see = match shaking.audience.is_due(step) {
             true => See::Look,
+            false if glances => See::Glance,
             false => See::Nothing,
         };
         let begin = Instant::now();
         let mut evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), see);
         // A row of what is no motion would spoil tables that are good until there.
-        let halt = evaluated.snapshot().and_then(|seen| shaking.engine.guard(seen).err());
+        let looked = evaluated.snapshot().filter(|_| see == See::Look);
+        let halt = looked.and_then(|seen| shaking.engine.guard(seen).err());
         if let Some(halt) = halt {
             return Ok(self.fail(shaking, evaluated, halt));
         }
         if let Some(seen) = evaluated.seen() {
-            let told = self.show(shaking, seen, step);
+            let told = self.show(shaking, seen, see == See::Look);
             shaking.looking += begin.elapsed();
             if let Err(error) = told {
                 self.end(shaking, evaluated, None);
@@ -176,15 +180,18 @@ impl Simulation {
         Ok(Stepping::On)
     }
 
-    /// Shows observers what is due.
-    fn show(&self, shaking: &mut Shaking, seen: Seen, step: u64) -> Result<(), RunError> {
+    /// Shows observers what is due: a whole look, which those who glance see as well, or a glance.
+    fn show(&self, shaking: &mut Shaking, seen: Seen, whole: bool) -> Result<(), RunError> {
         let Simulation { model, assembly, phase, plan, .. } = self;
         let Seen { snapshot, history, numbers, memory } = seen;
-        shaking.balance = snapshot.balance;
-        shaking.bodies.clone_from(&snapshot.bodies);
         let history = History { assembly, octets: history };
         let view = View { model, assembly, phase, plan, snapshot, history, numbers };
-        shaking.audience.look(step, &view, memory)
+        if whole {
+            shaking.balance = snapshot.balance;
+            shaking.bodies.clone_from(&snapshot.bodies);
+            shaking.audience.look(snapshot.step, &view, memory)?;
+        }
+        shaking.audience.glance(&view, memory)
     }
 
     /// Ends where the guard found energy.

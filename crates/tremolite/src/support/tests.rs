@@ -53,6 +53,8 @@ pub(crate) fn under(force: f64) -> SegmentSeen {
 pub(crate) fn plan(stages: &[&str]) -> Plan {
     Plan {
         page: PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: String::new(),
         stages: stages.iter().map(|name| PlannedStage::new(*name)).collect(),
         duration: 1.0,
@@ -65,6 +67,7 @@ pub(crate) fn plan(stages: &[&str]) -> Plan {
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     }
 }
 

@@ -126,12 +126,12 @@ fn bodies(evidence: &Evidence) -> Vec<TrustLine> {
             continue;
         }
         let id = format!("body_energy_error_{}", snake(&body.name));
-        let name = said!("work in no line over energy dissipated, {body}", body = &body.name);
+        let name = said!("unaccounted work over dissipated energy, {body}", body = &body.name);
         let error = errors.get(b).copied().unwrap_or(f64::NAN);
         lines.push(of_body(id, name, books, error, round_off));
     }
     if lines.is_empty() {
-        let name = said!("work in no line over energy dissipated");
+        let name = said!("unaccounted work over dissipated energy");
         lines.push(TrustLine::not_applicable("body_energy_error", name, said!("no law dissipates")));
     }
     lines
@@ -209,7 +209,7 @@ mod tests {
         books.held[Line::Dissipated] = dissipated;
         of_body(
             "id".into(),
-            said!("work in no line over energy dissipated"),
+            said!("unaccounted work over dissipated energy"),
             &books,
             books.error().abs(),
             1e-10 * 3.0,

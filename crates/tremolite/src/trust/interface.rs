@@ -39,7 +39,7 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
             ("interface_closure", said!("largest closure of the interface over its limit")),
             ("interface_slip", said!("largest slip over element size")),
             ("interface_gap", said!("largest gap over element size")),
-            ("interface_straight", said!("pairs beyond the pressure from which the law is straight")),
+            ("interface_straight", said!("interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness")),
             ("interface_impacts", said!("energy found at impacts over energy supplied")),
             ("interface_step", said!("time step times frequency of the stiffest pair")),
             ("interface_ringing", seam::ringing_name()),

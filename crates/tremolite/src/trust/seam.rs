@@ -97,12 +97,12 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let straight = match contacts.law.straight_from() {
         None => TrustLine::not_applicable(
             id("interface_straight"),
-            name(said!("pairs beyond the pressure from which the law is straight")),
+            name(said!("interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness")),
             said!("the law is straight throughout"),
         ),
         Some(limit) => TrustLine::at_most(
             id("interface_straight"),
-            name(said!("pairs beyond the pressure from which the law is straight")),
+            name(said!("interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness")),
             totals.beyond as f64,
             0.0,
             "",

@@ -49,6 +49,8 @@ pub fn plan() -> Plan {
     };
     Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "bolts".into(),
         stages: ["start", "bench 1"].map(PlannedStage::new).into(),
         duration: 0.12,
@@ -61,6 +63,7 @@ pub fn plan() -> Plan {
         pairs: Vec::new(),
         bolts: vec![monitor("B", 6.2, 0), monitor("L", 9.2, 1)],
         relatives: vec![[0, 1]],
+        sections: Vec::new(),
     }
 }
 

@@ -96,6 +96,8 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
         ];
         let plan = Plan {
             page: tremolite_results::PageWish::default(),
+            boundaries: Default::default(),
+            target: None,
             title: "hall".into(),
             stages: Vec::new(),
             duration: 0.3,
@@ -108,6 +110,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             pairs: Vec::new(),
             bolts: Vec::new(),
             relatives: Vec::new(),
+            sections: Vec::new(),
         };
         let ready = Ready::new(problem);
         let results = if resume {

@@ -68,6 +68,8 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
     };
     Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "ground".into(),
         stages: Vec::new(),
         duration: seconds,
@@ -80,6 +82,7 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     }
 }
 

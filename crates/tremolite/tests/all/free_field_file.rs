@@ -48,6 +48,8 @@ fn soil(law: &str, values: &Values, band: Option<Band>) -> std::sync::Arc<dyn An
 fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "ground".into(),
         stages: Vec::new(),
         duration: 0.7,
@@ -60,6 +62,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     };
     let Ready { model, assembly, phase } = Ready::new(problem);
     let results = ResultFolder::create(Some(folder), "ground", true).unwrap();

@@ -295,6 +295,8 @@ fn most_used(quadrature: Quadrature) -> f64 {
     let ready = Ready::new(problem);
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "cantilever".into(),
         stages: Vec::new(),
         duration: 0.2,
@@ -307,6 +309,7 @@ fn most_used(quadrature: Quadrature) -> f64 {
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     };
     let folder = tempfile::tempdir().unwrap();
     let results = ResultFolder::create(Some(folder.path()), "cantilever", true).unwrap();

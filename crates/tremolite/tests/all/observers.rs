@@ -33,6 +33,8 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
     };
     Plan {
         page: PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "observed".into(),
         stages: stages.iter().map(|&name| PlannedStage::new(name)).collect(),
         duration: 0.03,
@@ -45,6 +47,7 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     }
 }
 
@@ -271,6 +274,7 @@ impl Observer for Counts {
                 kept[4] += 1.0;
                 self.table.write(&[view.snapshot.time, view.snapshot.displacement[node].0[0]])?;
             }
+            Event::Glance(_) => unreachable!("not wished"),
             Event::Step(step) => kept[5] += step.du[node].0[0].abs(),
             Event::End { time } => kept[6] = *time,
         }

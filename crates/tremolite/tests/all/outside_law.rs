@@ -228,6 +228,8 @@ fn told(problem: Problem) -> Summary {
     let location = Locator::new(&problem.mesh, None).locate([6.0, 5.0, 7.0], 1e-6).unwrap();
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "metal".into(),
         stages: Vec::new(),
         duration: 0.3,
@@ -240,6 +242,7 @@ fn told(problem: Problem) -> Summary {
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     };
     let motion = problem.incident.clone().unwrap().motion;
     let Ready { model, assembly, phase } = Ready::new(problem);

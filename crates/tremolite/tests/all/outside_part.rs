@@ -167,6 +167,8 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
     let Ready { model, assembly, phase } = Ready::new(problem);
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "springs".into(),
         stages: Vec::new(),
         duration: 0.1,
@@ -179,6 +181,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     };
     let results = ResultFolder::create(Some(folder.path()), "springs", true).unwrap();
     let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };

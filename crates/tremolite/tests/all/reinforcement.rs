@@ -114,6 +114,8 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
     let snapshot = Engine::new(&model, &assembly, &phase).finish(&mut state);
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: String::new(),
         stages,
         duration: 0.0,
@@ -126,6 +128,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         pairs: Vec::new(),
         bolts: Vec::new(),
         relatives: Vec::new(),
+        sections: Vec::new(),
     };
     let view = View {
         model: &model,

@@ -26,6 +26,8 @@ fn plan(problem: &Problem) -> Plan {
     };
     Plan {
         page: tremolite_results::PageWish::default(),
+        boundaries: Default::default(),
+        target: None,
         title: "block".into(),
         stages: Vec::new(),
         duration: 0.12,
@@ -40,6 +42,7 @@ fn plan(problem: &Problem) -> Plan {
             .collect(),
         bolts: Vec::new(),
         relatives: vec![[0, 1]],
+        sections: Vec::new(),
     }
 }
 

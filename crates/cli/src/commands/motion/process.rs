@@ -22,7 +22,7 @@ pub struct Args {
     /// Folder for the processed records
     #[arg(long, default_value = ".")]
     out: PathBuf,
-    /// Leave out the figures of before and after
+    /// Leave out the figures of the record before and after processing
     #[arg(long)]
     no_plot: bool,
 }

@@ -73,6 +73,10 @@ impl Leaves<'_> {
                     None => number.as_f64().unwrap() * by,
                 };
                 *value = if number.is_u64() { Value::from(scaled as u64) } else { Value::from(scaled) };
+                // The page tells these in g as well.
+                if name.contains("peak_acceleration") {
+                    self.know(Kind::Leaf, format!("{name} in g"), scaled / 9.806_65);
+                }
                 self.know(Kind::Leaf, name, scaled);
                 for k in 0..path.len() {
                     let mut parts: Vec<&str> = path.iter().map(String::as_str).collect();

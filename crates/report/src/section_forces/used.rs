@@ -1,0 +1,199 @@
+//! Figure and table of what sections use of their strength.
+
+use tremolite_results::utilisation::UtilisationRow;
+use tremolite_results::{SectionStrength, Summary, Used};
+
+use crate::chapter::figure::{Block, Figure};
+use crate::chapter::text_table::{Cell, Head, TextTable};
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
+use crate::language::{Language, say};
+use crate::quantities::scale::{figures, moment, trimmed};
+use crate::quantities::units::Kind;
+use crate::section_forces::stations::{Station, distance, kilo};
+use crate::source::Source;
+
+/// Beyond this a utilisation says no more than that nearly nothing is borne.
+const MOST: f64 = 100.0;
+
+/// A utilisation as the page shows it.
+pub fn shown(value: f64) -> String {
+    match value {
+        v if v > MOST || v.is_nan() => format!("> {MOST}"),
+        v => figures(v, 3),
+    }
+}
+
+/// The part of the chapter; nothing where no section is judged.
+pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
+    let language = source.language;
+    if facts.parts.sections.is_empty() {
+        return None;
+    }
+    let mut block = Block {
+        heading: say!(language, "What the sections use of their strength"),
+        text: say!(
+            language,
+            "Thrust and moment of one instant, in every step, on the ray from the origin to the border of what the section bears: 1 is \
+             all of its strength. Shear is |Q| over its resistance. utilisation.csv has every station."
+        ),
+        tables: vec![table(source, facts)],
+        ..Block::default()
+    };
+    block.notes.extend(facts.parts.sections.iter().map(|(lining, of)| rule(source, lining, of)));
+    Some(block)
+}
+
+fn table(source: &Source, facts: &Summary) -> TextTable {
+    let language = source.language;
+    let head = vec![
+        Head::words(say!(language, "lining")),
+        Head::words(""),
+        Head::number(say!(language, "utilisation")),
+        Head::number("N (kN/m)"),
+        Head::number("M (kN\u{a0}m/m)"),
+        Head::number("Q (kN/m)"),
+        Head::words(say!(language, "where and when")),
+    ];
+    let mut rows = Vec::new();
+    for (lining, of) in &facts.parts.sections {
+        let each = [(say!(language, "thrust and moment"), &of.bending), (say!(language, "shear"), &of.shear)];
+        for (k, (what, used)) in each.into_iter().enumerate() {
+            let Some(used) = used else { continue };
+            let mut row = vec![Cell::words(if k == 0 { lining.as_str() } else { "" }), Cell::words(what)];
+            row.push(Cell::number(shown(used.value)));
+            row.extend(used.forces.map(|force| Cell::number(kilo(force))));
+            row.push(Cell::words(place(source, used)));
+            rows.push(row);
+        }
+    }
+    TextTable { head: vec![head], rows }
+}
+
+/// Where and when a station used most.
+pub fn place(source: &Source, used: &Used) -> String {
+    let language = source.language;
+    let [x, y, z] = used.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")));
+    match used.time.is_finite() {
+        true => {
+            let time = moment(used.time, source.duration());
+            say!(language, "({x}, {y}, {z}) at {time}\u{a0}s", x = x, y = y, z = z, time = time)
+        }
+        false => say!(language, "({x}, {y}, {z}) after {stage}", x = x, y = y, z = z, stage = used.stage),
+    }
+}
+
+/// By which rule a lining is judged, in a sentence or two.
+pub fn rule(source: &Source, lining: &str, of: &SectionStrength) -> String {
+    let language = source.language;
+    let strength = |x: f64| source.quantity(Kind::Stress, x);
+    let factor = |x: f64| trimmed(&figures(x, 3));
+    let mut text = say!(
+        language,
+        "{lining}: {code}, concrete {grade}, f_cd {compression}, f_ctd {tension}; γ_c {gamma_c}, γ_s {gamma_s}, α_cc {alpha_cc}, \
+         α_ct {alpha_ct}, γ_d {gamma_d}, strengths × {dynamic} while the ground shakes. {reinforced} of {stations} stations have bars.",
+        lining = lining,
+        code = of.code,
+        grade = of.grade,
+        compression = strength(of.compression),
+        tension = strength(of.tension),
+        gamma_c = factor(of.factors.gamma_c),
+        gamma_s = factor(of.factors.gamma_s),
+        alpha_cc = factor(of.factors.alpha_cc),
+        alpha_ct = factor(of.factors.alpha_ct),
+        gamma_d = factor(of.factors.gamma_d),
+        dynamic = factor(of.factors.dynamic),
+        reinforced = of.reinforced,
+        stations = of.stations,
+    );
+    if of.reinforced < of.stations {
+        text.push_str(&match of.plain_tension {
+            true => say!(language, " Plain sections count their tensile strength."),
+            false => say!(language, " Plain sections count no tensile strength."),
+        });
+    }
+    if of.yields {
+        text.push_str(&say!(
+            language,
+            " The lining's own law cracks or yields, and what has cracked carries no more than it can: this is a cross-check of the \
+             computed forces, and the verdict is by cracks."
+        ));
+    }
+    text
+}
+
+/// Along one section of a lining: what its stations used after the last stage, and most while the ground shook.
+pub fn figure(
+    language: Language,
+    lining: &str,
+    section: &[&Station],
+    rows: &[UtilisationRow],
+    suffix: &str,
+) -> Option<Figure> {
+    let of = |number: u32, when: &dyn Fn(&str) -> bool| {
+        rows.iter().rev().find(|r| r.lining == lining && r.station == number && when(&r.when))
+    };
+    let mut along = vec![0.0];
+    for pair in section.windows(2) {
+        along.push(along[along.len() - 1] + distance(pair[0], pair[1]));
+    }
+    let end = along[along.len() - 1];
+    let still = |when: &str| when != "max" && when != "max_shear";
+    type Value = fn(&UtilisationRow) -> f64;
+    type Of<'a> = &'a dyn Fn(&str) -> bool;
+    let wanted: [(String, Of, Value, usize); 3] = [
+        (say!(language, "thrust and moment, after the stages"), &still, |r| r.bending, 3),
+        (
+            say!(language, "thrust and moment, most while the ground shakes"),
+            &|w| w == "max",
+            |r| r.bending,
+            1,
+        ),
+        (say!(language, "shear, most while the ground shakes"), &|w| w == "max_shear", |r| r.shear, 0),
+    ];
+    let curve = |(name, when, value, colour): (String, Of, Value, usize)| {
+        let points = section.iter().zip(&along);
+        let points = points.filter_map(|(s, x)| Some((*x, value(of(s.number, when)?).min(MOST))));
+        let points: Vec<(f64, f64)> = points.filter(|p| p.1.is_finite()).collect();
+        let pen = if colour == 3 { Pen::Marked } else { Pen::Curve };
+        (points.len() > 1).then(|| PlotCurve::new(name, colour, pen, points))
+    };
+    let mut curves: Vec<PlotCurve> = wanted.into_iter().filter_map(curve).collect();
+    if curves.is_empty() {
+        return None;
+    }
+    curves.push(PlotCurve::new(
+        say!(language, "all of the strength"),
+        2,
+        Pen::Dashed,
+        vec![(0.0, 1.0), (end, 1.0)],
+    ));
+    let most = plot::ranges(&curves).1.1.min(5.0);
+    // What is far beyond is cut, so that 1 can be told.
+    for curve in &mut curves {
+        curve.pieces.iter_mut().flatten().for_each(|p| p.1 = p.1.min(most));
+    }
+    let title = say!(language, "{lining}: utilisation of the sections", lining = lining);
+    let mut svg = Svg::new(WIDTH);
+    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &curves);
+    let axes = Axes {
+        left: LEFT,
+        right: WIDTH - RIGHT,
+        top,
+        bottom: top + 240.0,
+        across: Ticks::within(0.0, end, 12),
+        up: Ticks::around(0.0, most, 6),
+    };
+    plot::draw(&mut svg, &axes, &curves);
+    let below = say!(language, "along the lining (m), from below by the wall of greater x over the crown");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
+    let svg = svg.finish(axes.bottom + 42.0, &title, &below);
+    let caption = say!(
+        language,
+        "Of the section drawn below. Values beyond {most} are drawn there.",
+        most = figures(most, 2)
+    );
+    Some(Figure { heading: title, file: format!("utilisation{suffix}.svg"), svg, caption, curves: None })
+}

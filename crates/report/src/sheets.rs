@@ -1,0 +1,184 @@
+//! The page's two sheets: what is signed. The first has project, verdict, limits, earthquake and model; the second figures, parts,
+//! checks that warn, and the limits of the method.
+
+mod earthquake;
+mod limits;
+mod model;
+mod parts;
+
+use minijinja::Value;
+use serde::Serialize;
+use tremolite_results::Summary;
+
+use crate::chapter::figure::Figure;
+use crate::chapter::text_table::TextTable;
+use crate::facts::{self, Check, Fact};
+use crate::language::{Language, say};
+use crate::page::contents::{Content, Placed};
+use crate::page::templates::markup;
+use crate::sheets::limits::LimitRow;
+use crate::source::Source;
+
+/// What the template sets of both sheets.
+#[derive(Serialize)]
+pub struct Sheets {
+    project: String,
+    /// When the run started, and by what.
+    dated: String,
+    limits: Vec<LimitRow>,
+    /// What to say where there are none.
+    unlimited: String,
+    earthquake: Vec<Fact>,
+    model: Vec<Fact>,
+    /// The record's spectrum, with that which the design calls for.
+    spectrum: Option<SheetFigure>,
+    signed: Vec<Signature>,
+    figures: Vec<SheetFigure>,
+    parts: TextTable,
+    /// What is to be said below them.
+    around: Vec<String>,
+    warns: Vec<Check>,
+    /// That no check warns, or that there are none.
+    unwarned: String,
+    method: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Signature {
+    role: String,
+    name: String,
+}
+
+#[derive(Serialize)]
+struct SheetFigure {
+    heading: String,
+    svg: Value,
+}
+
+/// Figures that a sheet shows, the most telling first, by the beginnings of their files' names.
+const TELLING: [&str; 10] = [
+    "utilisation",
+    "lining-damage",
+    "damage",
+    "developed",
+    "section-strength",
+    "lining-shape",
+    "relative",
+    "displacement",
+    "section-deformed",
+    "section-mesh",
+];
+/// The spectra of the motion, which the first sheet shows.
+const SPECTRUM: &str = "input-spectra.svg";
+/// As many as there is room for.
+const FIGURES: usize = 4;
+
+/// Both sheets.
+pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets {
+    let language = source.language;
+    let limits = limits::rows(source, summary);
+    let warns: Vec<Check> =
+        facts::checks(language, summary).into_iter().filter(|check| check.class == "fail").collect();
+    Sheets {
+        project: summary.case.report.project.clone(),
+        dated: dated(language, summary),
+        unlimited: match limits.is_empty() {
+            true => say!(
+                language,
+                "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE."
+            ),
+            false => String::new(),
+        },
+        limits,
+        earthquake: earthquake::facts(source, summary),
+        model: model::facts(source, summary),
+        spectrum: drawn(sections).into_iter().find(|figure| figure.file == SPECTRUM).map(sheet_figure),
+        signed: signed(language, summary),
+        figures: figures(sections),
+        parts: parts::table(source, summary),
+        around: parts::around(source, summary),
+        unwarned: match (warns.is_empty(), summary.judged()) {
+            (true, 0) => say!(language, "Nothing was checked."),
+            (true, all) => say!(language, "None: all {judged} checks pass.", judged = all),
+            _ => String::new(),
+        },
+        warns,
+        method: method(language, summary),
+    }
+}
+
+fn dated(language: Language, summary: &Summary) -> String {
+    let run = &summary.computed.run;
+    match run.started.is_empty() {
+        true => String::new(),
+        false => {
+            // To the minute: 2026-11-26T01:54:06Z.
+            let started: String = run.started.chars().take(16).collect();
+            say!(
+                language,
+                "Run of {started} UTC, {program}.",
+                started = started.replace('T', " "),
+                program = run.program
+            )
+        }
+    }
+}
+
+fn signed(language: Language, summary: &Summary) -> Vec<Signature> {
+    let roles = [
+        ("designed", say!(language, "Designed")),
+        ("checked", say!(language, "Checked")),
+        ("reviewed", say!(language, "Reviewed")),
+        ("approved", say!(language, "Approved")),
+    ];
+    let name = |role: &str| summary.case.report.signed.get(role).cloned().unwrap_or_default();
+    roles.into_iter().map(|(key, role)| Signature { name: name(key), role }).collect()
+}
+
+/// All figures of the page.
+fn drawn(sections: &[Placed]) -> Vec<&Figure> {
+    let mut all = Vec::new();
+    for placed in sections {
+        if let Content::Section(section) = &placed.content {
+            all.extend(section.figures());
+        }
+    }
+    all
+}
+
+fn sheet_figure(figure: &Figure) -> SheetFigure {
+    SheetFigure { heading: figure.heading.clone(), svg: markup(&figure.svg) }
+}
+
+fn figures(sections: &[Placed]) -> Vec<SheetFigure> {
+    let all = drawn(sections);
+    let each = TELLING.iter().filter_map(|wanted| all.iter().find(|figure| figure.file.starts_with(wanted)));
+    each.take(FIGURES).map(|figure| sheet_figure(figure)).collect()
+}
+
+/// What the method leaves out, for whoever signs.
+fn method(language: Language, summary: &Summary) -> Vec<String> {
+    let mut all = vec![
+        say!(language, "Displacements and strains are small; there is no pore water and no temperature."),
+        say!(
+            language,
+            "Waves come in vertically from below; the ground beside the model is that of its sides."
+        ),
+        say!(
+            language,
+            "How wide a single crack is goes by the mesh; pieces that come loose are not followed."
+        ),
+    ];
+    if summary.parts.sections.is_empty() {
+        all.push(say!(
+            language,
+            "No section is judged by a code: [[section]] in the case asks for it. Detailing is not checked."
+        ));
+    } else {
+        all.push(say!(
+            language,
+            "Utilisations are those of sections across the cavern's axis; slenderness, detailing and anchorage are not checked."
+        ));
+    }
+    all
+}

@@ -1,0 +1,54 @@
+//! The earthquake in a few lines: its level, its peak, where it is meant.
+
+use tremolite_results::Summary;
+
+use crate::chapter::results_text::kind_of_motion;
+use crate::facts::{Fact, card};
+use crate::language::say;
+use crate::quantities::scale::figures;
+use crate::quantities::units::Kind;
+use crate::source::Source;
+
+/// What is to be said of the motion; that there is none, where none came.
+pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
+    let language = source.language;
+    let motion = &summary.computed.motion;
+    let label = || say!(language, "Design earthquake");
+    if motion.kind.is_empty() {
+        return vec![card(label(), say!(language, "none in this run"), "")];
+    }
+    let mut facts = Vec::new();
+    let level = &summary.case.report.design_level;
+    let level = if level.is_empty() { say!(language, "its level is not given") } else { level.clone() };
+    facts.push(card(label(), level, ""));
+    let records: Vec<&String> = motion.source.values().collect();
+    if let Some(record) = records.first() {
+        facts.push(card(say!(language, "Record"), (*record).clone(), ""));
+    }
+    let place = match motion.kind.as_str() {
+        "outcrop" => say!(language, "at the surface of rock that crops out; half of it comes in from below"),
+        "incident" => say!(language, "the wave that comes in from below"),
+        "within" => say!(language, "within the ground, at the depth of the record"),
+        "surface" => say!(language, "at the surface of the ground"),
+        _ => kind_of_motion(language, &motion.kind),
+    };
+    facts.push(card(say!(language, "Meant"), place, ""));
+    for (peaks, label) in [
+        (&motion.given_peak_acceleration, say!(language, "Peak acceleration, motion given")),
+        (&motion.peak_acceleration, say!(language, "Peak acceleration, wave that comes in")),
+    ] {
+        let most = peaks.values().fold(0.0_f64, |most, peak| most.max(peak.abs()));
+        // Round-off of a component that the record does not have is no motion.
+        let all = peaks.iter().filter(|(_, peak)| peak.abs() > 1e-9 * most);
+        let all: Vec<String> = all.map(|(axis, peak)| told(source, axis, peak.abs())).collect();
+        if !all.is_empty() {
+            facts.push(card(label, all.join("; "), ""));
+        }
+    }
+    facts
+}
+
+/// An acceleration along an axis, in m/s² and g.
+fn told(source: &Source, axis: &str, peak: f64) -> String {
+    format!("{axis} {} ({}\u{a0}g)", source.quantity(Kind::Acceleration, peak), figures(peak / 9.806_65, 2))
+}

@@ -1,0 +1,108 @@
+//! Limits of acceptance beside what was found.
+
+use serde::Serialize;
+use tremolite_results::Summary;
+
+use crate::damage::opening;
+use crate::facts::key_results::largest_displacement;
+use crate::language::say;
+use crate::quantities::scale::{figures, trimmed};
+use crate::quantities::units::Kind;
+use crate::section_forces::used::{place, shown};
+use crate::source::Source;
+use crate::verdict::short_names::percent;
+
+/// A limit, what was found, and whether it is met.
+#[derive(Serialize)]
+pub struct LimitRow {
+    name: String,
+    found: String,
+    note: String,
+    limit: String,
+    /// `pass`, `fail` or `none`: the colour.
+    class: &'static str,
+    mark: String,
+}
+
+/// A value found: as it is told, where, and its number.
+type Found = Option<(f64, String, String)>;
+
+/// The limits that the case or the command gave.
+pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
+    let language = source.language;
+    let told = |name: &str, limit: f64| match name {
+        "displacement" => (
+            say!(language, "Displacement of a monitor"),
+            source.quantity(Kind::Displacement, limit),
+            displacement(source, summary),
+        ),
+        "crack_width" => {
+            (say!(language, "Crack width"), source.quantity(Kind::Opening, limit), crack(source, summary))
+        }
+        "damage" => (say!(language, "Cracked share of a lining's volume"), percent(limit), cracked(summary)),
+        "utilisation" => (
+            say!(language, "Utilisation of a section"),
+            trimmed(&figures(limit, 3)),
+            utilisation(source, summary),
+        ),
+        other => (other.to_owned(), trimmed(&figures(limit, 3)), None),
+    };
+    let row = |(name, &limit): (&String, &f64)| {
+        let (name, limit_text, found) = told(name, limit);
+        let (class, mark) = match &found {
+            None => ("none", say!(language, "not known")),
+            // What is no number is beyond every limit.
+            Some((value, ..)) if *value <= limit => ("pass", say!(language, "met")),
+            Some(_) => ("fail", say!(language, "not met")),
+        };
+        let (found, note) = match found {
+            Some((_, text, note)) => (text, note),
+            None => (String::new(), say!(language, "the results do not hold it")),
+        };
+        LimitRow { name, found, note, limit: format!("≤ {limit_text}"), class, mark }
+    };
+    summary.case.report.limits.iter().map(row).collect()
+}
+
+fn displacement(source: &Source, summary: &Summary) -> Found {
+    let (monitor, time, size) = largest_displacement(source, summary)?;
+    let at = crate::quantities::scale::moment(time, source.duration());
+    let note = say!(source.language, "{monitor} at {time}\u{a0}s", monitor = monitor, time = at);
+    Some((size, source.quantity(Kind::Displacement, size), note))
+}
+
+fn crack(source: &Source, summary: &Summary) -> Found {
+    let all = summary.parts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
+    let (name, cracks) = all.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a })?;
+    match cracks.widest {
+        Some(_) => Some((cracks.opening, opening(source, cracks), name.clone())),
+        None => Some((0.0, say!(source.language, "none"), String::new())),
+    }
+}
+
+fn cracked(summary: &Summary) -> Found {
+    let share = |group: &tremolite_results::GroupDamage| {
+        let measure = group.measures.get("d_tension")?;
+        Some(measure.beyond.get("0.5").copied().unwrap_or(0.0) / group.volume)
+    };
+    let all = summary.conclusion.findings.iter().filter(|f| f.id.starts_with("damage_"));
+    let all = all.filter_map(|f| Some((f.group.clone(), share(summary.parts.damage.get(&f.group)?)?)));
+    let (name, most) = all.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some((most, percent(most), name))
+}
+
+fn utilisation(source: &Source, summary: &Summary) -> Found {
+    let of = |(lining, of): (&String, &tremolite_results::SectionStrength)| {
+        let both = [of.bending.clone(), of.shear.clone()];
+        both.into_iter().flatten().map(|used| (lining.clone(), used)).collect::<Vec<_>>()
+    };
+    // An infinite one is no number in the file.
+    let size = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+    let all = summary.parts.sections.iter().flat_map(of);
+    let (lining, used) = all.max_by(|a, b| size(a.1.value).total_cmp(&size(b.1.value)))?;
+    let mut note = format!("{lining} {}", place(source, &used));
+    if summary.parts.sections.get(&lining).is_some_and(|of| of.yields) {
+        note.push_str(&say!(source.language, "; a cross-check, since this lining can crack"));
+    }
+    Some((size(used.value), shown(used.value), note))
+}

@@ -1,0 +1,111 @@
+//! Materials, damping, boundaries and stages in a line each.
+
+use tremolite_results::Summary;
+
+use crate::facts::materials;
+use crate::facts::{Fact, card};
+use crate::language::{Language, say};
+use crate::quantities::scale::{count, span};
+use crate::source::Source;
+
+/// Stages that are named; of more their number is told beside the first and the last.
+const NAMED: usize = 4;
+/// Parameters of a material that are told.
+const TOLD: [&str; 8] = [
+    "young",
+    "poisson",
+    "cohesion",
+    "friction_angle",
+    "tensile_strength",
+    "compressive_strength",
+    "fracture_energy",
+    "gsi",
+];
+
+/// What the model is, line by line.
+pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
+    let language = source.language;
+    let mut facts = Vec::new();
+    for material in materials::tables(language, summary) {
+        let told = material.given.iter().filter(|row| TOLD.contains(&row.name.as_str()));
+        let mut parts = vec![material.law.clone()];
+        parts.extend(told.map(|row| format!("{} {}", symbol(&row.name), row.value)));
+        parts.push(material.density.clone());
+        let label = say!(language, "Material {name}", name = material.name);
+        let text = say!(language, "{values}; damping:", values = parts.join(&say!(language, ", ")));
+        facts.push(card(label, text, material.damping.clone()));
+    }
+    let boundaries = &summary.computed.boundaries;
+    if !boundaries.is_empty() {
+        let place = |place: &str| match place {
+            "base" => say!(language, "base"),
+            "x" => say!(language, "sides across x"),
+            "y" => say!(language, "sides across y"),
+            _ => say!(language, "top"),
+        };
+        let all = boundaries.iter().map(|(at, word)| format!("{} {}", place(at), boundary(language, word)));
+        let all: Vec<String> = all.collect();
+        facts.push(card(say!(language, "Boundaries"), all.join("; "), ""));
+    }
+    let stages: Vec<&str> = summary.computed.stages.iter().skip(1).map(|s| s.name.as_str()).collect();
+    if let [first, .., last] = stages[..]
+        && stages.len() > NAMED
+    {
+        let text = say!(
+            language,
+            "initial equilibrium, then {number} stages from {first} to {last}",
+            number = stages.len(),
+            first = first,
+            last = last
+        );
+        facts.push(card(say!(language, "Stages"), text, ""));
+    } else if !stages.is_empty() {
+        let text =
+            say!(language, "initial equilibrium, then {stages}", stages = stages.join(&say!(language, ", ")));
+        facts.push(card(say!(language, "Stages"), text, ""));
+    }
+    let model = &summary.computed.model;
+    if model.elements > 0 {
+        let text = match source.shakes() && model.duration > 0.0 {
+            true => say!(
+                language,
+                "{elements} elements, {time} of shaking",
+                elements = count(model.elements),
+                time = span(model.duration)
+            ),
+            false => say!(language, "{elements} elements", elements = count(model.elements)),
+        };
+        facts.push(card(say!(language, "Model"), text, ""));
+    }
+    facts
+}
+
+/// The symbol of a parameter.
+fn symbol(name: &str) -> &str {
+    match name {
+        "young" => "E",
+        "poisson" => "ν",
+        "cohesion" => "c",
+        "friction_angle" => "φ",
+        "tensile_strength" => "f_t",
+        "compressive_strength" => "f_c",
+        "fracture_energy" => "G_f",
+        "gsi" => "GSI",
+        other => other,
+    }
+}
+
+/// A boundary in words.
+fn boundary(language: Language, word: &str) -> String {
+    match word {
+        "viscous-spring" => say!(language, "viscous with springs"),
+        "viscous" => say!(language, "viscous"),
+        "free-field" => say!(language, "free field"),
+        "periodic" => say!(language, "periodic"),
+        "symmetry" => say!(language, "symmetric"),
+        "roller" => say!(language, "on rollers"),
+        "fixed" => say!(language, "fixed"),
+        "free" => say!(language, "free"),
+        other => other.to_owned(),
+    }
+}

@@ -1,0 +1,80 @@
+//! The verdict on linings whose law can neither crack nor yield: by the strength of their sections.
+
+use tremolite_results::{SectionStrength, Summary};
+
+use crate::language::say;
+use crate::section_forces::used::shown;
+use crate::source::Source;
+use crate::verdict::VerdictLine;
+use crate::verdict::short_names::{NAME, short};
+
+/// Linings of which each has a line.
+const ALONE: usize = 2;
+
+/// Those that are judged by it: what cracks or yields is judged by that.
+fn judged(facts: &Summary) -> impl Iterator<Item = (&String, &SectionStrength)> {
+    facts.parts.sections.iter().filter(|(_, of)| !of.yields)
+}
+
+/// The most that a lining uses; an infinite one is no number in the file.
+fn most(of: &SectionStrength) -> Option<f64> {
+    let each = [&of.bending, &of.shear].into_iter().flatten();
+    let size = each.map(|used| if used.value.is_nan() { f64::INFINITY } else { used.value });
+    size.max_by(f64::total_cmp)
+}
+
+/// The answer with its colour; nothing where nothing is judged so.
+pub fn answer(source: &Source, facts: &Summary) -> Option<(&'static str, String)> {
+    let language = source.language;
+    let most = judged(facts).filter_map(|(_, of)| most(of)).max_by(f64::total_cmp)?;
+    Some(match most <= 1.0 {
+        true if facts.warnings() > 0 || facts.judged() == 0 => (
+            "warn",
+            say!(
+                language,
+                "Its sections bear what was computed, but the checks do not vouch for that: utilisation {most}.",
+                most = shown(most)
+            ),
+        ),
+        true => (
+            "good",
+            say!(
+                language,
+                "Its sections bear what is asked of them: utilisation {most}.",
+                most = shown(most)
+            ),
+        ),
+        false => (
+            "bad",
+            say!(
+                language,
+                "Its sections do not bear what is asked of them: utilisation {most}.",
+                most = shown(most)
+            ),
+        ),
+    })
+}
+
+/// A line a lining, the worst first.
+pub fn lines(source: &Source, facts: &Summary) -> Vec<VerdictLine> {
+    let language = source.language;
+    let mut all: Vec<_> = judged(facts).filter_map(|(name, of)| Some((name, of, most(of)?))).collect();
+    all.sort_by(|a, b| b.2.total_cmp(&a.2));
+    let told = |used: &Option<tremolite_results::Used>| {
+        used.as_ref().map_or_else(|| "–".to_owned(), |used| shown(used.value))
+    };
+    let line = |(name, of, most): (&String, &SectionStrength, f64)| VerdictLine {
+        class: if most <= 1.0 { "good" } else { "bad" },
+        text: say!(
+            language,
+            "{lining}: utilisation {bending} in thrust and moment, {shear} in shear, by {code}; beyond 1 at {beyond} of {stations} stations.",
+            lining = short(name, NAME),
+            bending = told(&of.bending),
+            shear = told(&of.shear),
+            code = of.code,
+            beyond = of.beyond,
+            stations = of.stations
+        ),
+    };
+    all.into_iter().take(ALONE).map(line).collect()
+}

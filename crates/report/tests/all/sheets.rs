@@ -1,0 +1,143 @@
+//! The two sheets: limits met or not, who signs, what sections use.
+
+use std::fs;
+use std::path::Path;
+
+use tremolite_report::{Language, write_held, write_in};
+use tremolite_results::{Factors, ResultFolder, SectionStrength, Summary, TargetSpectrum, Used};
+
+use super::report;
+
+/// A lining of a law that cannot crack, which uses so much in thrust and moment.
+pub fn judged(value: f64) -> SectionStrength {
+    let used = |value: f64, time: f64| Used {
+        value,
+        station: 7,
+        at: [3.25, 1.5, -21.75],
+        stage: String::new(),
+        time,
+        forces: [-1.234e6, 0.321e6, 0.456e6],
+    };
+    SectionStrength {
+        code: "EN 1992-1-1".into(),
+        grade: "C30/37".into(),
+        compression: 20e6,
+        tension: 1.37e6,
+        factors: Factors {
+            gamma_c: 1.53,
+            gamma_s: 1.16,
+            alpha_cc: 0.97,
+            alpha_ct: 0.93,
+            gamma_d: 1.21,
+            dynamic: 1.11,
+        },
+        stations: 64,
+        reinforced: 48,
+        plain_tension: true,
+        yields: false,
+        beyond: 3,
+        bending: Some(used(value, 0.75)),
+        shear: Some(used(0.432, 0.52)),
+    }
+}
+
+/// A run of monitors A and B with limits, judged sections and a motion.
+pub fn results(root: &Path) -> ResultFolder {
+    let folder = report::results(root, &["A", "B"]);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.conclusion.findings.clear();
+    summary.parts.sections.insert("hall.lining".into(), judged(0.876));
+    let report = &mut summary.case.report;
+    report.limits = [("displacement", 0.0523), ("crack_width", 3.1e-4), ("utilisation", 0.94)]
+        .map(|(name, limit)| (name.to_owned(), limit))
+        .into();
+    report.project = "Hall of the <example>".into();
+    report.signed.insert("checked".into(), "B. Name".into());
+    let motion = &mut summary.computed.motion;
+    motion.kind = "outcrop".into();
+    motion.peak_acceleration = [("x".to_owned(), 1.37), ("z".to_owned(), 0.77)].into();
+    motion.given_peak_acceleration = [("x".to_owned(), 2.74), ("z".to_owned(), 1.54)].into();
+    motion.target = Some(TargetSpectrum { period: vec![0.1, 1.0], sa: vec![5.0, 2.0] });
+    summary.computed.boundaries =
+        [("base", "viscous-spring"), ("x", "free-field"), ("y", "roller"), ("top", "free")]
+            .map(|(place, word)| (place.to_owned(), word.to_owned()))
+            .into();
+    summary.write(&folder.summary()).unwrap();
+    folder
+}
+
+fn sheets(folder: &ResultFolder, language: Language) -> String {
+    let page = fs::read_to_string(write_in(folder.root(), language).unwrap()).unwrap();
+    page.split_once("<header>").unwrap().1.split_once("</header>").unwrap().0.replace('\u{a0}', " ")
+}
+
+/// The row of a limit: its class and its mark.
+fn row<'a>(sheets: &'a str, name: &str) -> &'a str {
+    let rows = sheets.split_once("<table class=\"limits\">").unwrap().1.split_once("</table>").unwrap().0;
+    rows.split("<tr").find(|row| row.contains(name)).unwrap_or_else(|| panic!("no {name} in {rows}"))
+}
+
+#[test]
+fn limits_are_met_or_not_and_what_the_results_lack_is_neither() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let found = sheets(&folder, Language::English);
+    assert!(found.contains("Hall of the &lt;example&gt;") && found.contains("<td>B. Name</td>"));
+    assert!(
+        row(&found, "Utilisation").contains("class=\"pass\"") && row(&found, "Utilisation").contains(">met<")
+    );
+    assert!(row(&found, "Crack width").contains("not known"), "{found}");
+    assert!(found.contains("Its sections bear what") && found.contains("0.876"));
+    assert!(found.contains("x 2.74 m&#x2f;s² (0.28 g); z 1.54 m&#x2f;s² (0.16 g)"), "{found}");
+    assert!(found.contains("base viscous with springs; sides across x free field"));
+    // Chinese has its own words, and the same numbers.
+    let chinese = sheets(&folder, Language::Chinese);
+    assert!(
+        chinese.contains("验收限值")
+            && row(&chinese, "利用率").contains(">满足<")
+            && chinese.contains("0.876")
+    );
+}
+
+#[test]
+fn limits_of_the_command_stand_in_for_those_of_the_case_and_what_has_no_bound_meets_none() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    // An infinite utilisation is no number in the file.
+    summary.parts.sections.insert("hall.lining".into(), judged(f64::INFINITY));
+    summary.write(&folder.summary()).unwrap();
+    let limits = [("utilisation".to_owned(), 5.0), ("displacement".to_owned(), 1e-9)];
+    let page = fs::read_to_string(write_held(folder.root(), None, limits).unwrap()).unwrap();
+    let found =
+        page.split_once("<header>").unwrap().1.split_once("</header>").unwrap().0.replace('\u{a0}', " ");
+    for name in ["Utilisation", "Displacement"] {
+        assert!(
+            row(&found, name).contains("class=\"fail\"") && row(&found, name).contains("not met"),
+            "{name}"
+        );
+    }
+    assert!(!found.contains("Crack width") && found.contains("&gt; 100"), "{found}");
+    assert!(found.contains("Its sections do not bear what is asked of them"));
+}
+
+#[test]
+fn without_limits_or_sections_the_sheets_say_how_to_have_them() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = report::results(temp.path(), &["A"]);
+    let found = sheets(&folder, Language::English);
+    assert!(found.contains("[report.limits]") && found.contains("[[section]]"));
+    assert_eq!(found.matches("<div class=\"sheet\">").count(), 2);
+}
+
+/// A lining that cracks is judged by its cracks: its utilisation is a cross-check, and no verdict.
+#[test]
+fn a_lining_that_cracks_is_not_judged_by_its_utilisation() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.parts.sections.insert("hall.lining".into(), SectionStrength { yields: true, ..judged(1.3) });
+    summary.write(&folder.summary()).unwrap();
+    let found = sheets(&folder, Language::English);
+    assert!(!found.contains("Its sections") && found.contains("cross-check"), "{found}");
+}

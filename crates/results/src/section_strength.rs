@@ -1,0 +1,66 @@
+//! What the sections of a lining use of their strength, as summary.json says.
+
+use serde::{Deserialize, Serialize};
+
+use crate::number;
+
+/// A lining whose sections were judged by a code.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SectionStrength {
+    /// The code, as the case names it.
+    pub code: String,
+    /// Grade of the concrete, as the case names it; empty where strengths were given.
+    pub grade: String,
+    /// Design strengths of the concrete (Pa): f_cd and f_ctd, static.
+    #[serde(with = "number", default = "number::absent")]
+    pub compression: f64,
+    #[serde(with = "number", default = "number::absent")]
+    pub tension: f64,
+    /// γ_c, γ_s, α_cc, α_ct, γ_d and the factor of strength while the ground shakes.
+    pub factors: Factors,
+    /// Stations in all, and those with bars.
+    pub stations: u64,
+    pub reinforced: u64,
+    /// Whether plain sections count their tensile strength.
+    pub plain_tension: bool,
+    /// Whether the lining's own law cracks or yields: the utilisation is then a cross-check, since what has cracked carries no more
+    /// than it can.
+    pub yields: bool,
+    /// Stations whose utilisation was above 1, at any time.
+    pub beyond: u64,
+    /// Most of thrust and moment, and of shear; none where nothing was judged.
+    pub bending: Option<Used>,
+    pub shear: Option<Used>,
+}
+
+/// Factors of a code, as the case has them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Factors {
+    pub gamma_c: f64,
+    pub gamma_s: f64,
+    pub alpha_cc: f64,
+    pub alpha_ct: f64,
+    pub gamma_d: f64,
+    pub dynamic: f64,
+}
+
+/// A station at the time at which it used most.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Used {
+    /// Utilisation; no number where it was infinite.
+    #[serde(with = "number", default = "number::absent")]
+    pub value: f64,
+    /// The station, as in utilisation.csv, and its place (m).
+    pub station: u32,
+    pub at: [f64; 3],
+    /// A stage's name; empty for the shaking.
+    pub stage: String,
+    /// Time in the shaking (s); no number for stages.
+    #[serde(with = "number", default = "number::absent")]
+    pub time: f64,
+    /// N (N/m), M (N m/m), Q (N/m) there and then.
+    pub forces: [f64; 3],
+}

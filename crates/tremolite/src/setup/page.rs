@@ -1,0 +1,36 @@
+//! What a case says of its page, as the summary carries it.
+
+use tremolite_case::{self as case, Limits, Page};
+use tremolite_results::{PageWish, TargetSpectrum};
+
+/// What is to be handed to the report.
+pub fn wish(page: &Page) -> PageWish {
+    let signed = ["designed", "checked", "reviewed", "approved"].into_iter().zip(&page.signed);
+    PageWish {
+        language: page.language.word().into(),
+        view: page.view,
+        project: page.project.clone().unwrap_or_default(),
+        design_level: page.design_level.clone().unwrap_or_default(),
+        signed: signed.filter_map(|(role, name)| Some((role.to_owned(), name.clone()?))).collect(),
+        limits: limits(&page.limits).into_iter().collect(),
+    }
+}
+
+/// The spectrum that the design calls for.
+pub fn target(target: &case::TargetSpectrum) -> TargetSpectrum {
+    TargetSpectrum { period: target.period.clone(), sa: target.sa.clone() }
+}
+
+/// Limits by the names that a summary has for them.
+pub fn limits(limits: &Limits) -> Vec<(String, f64)> {
+    let Limits { displacement, crack_width, damage, utilisation } = *limits;
+    [
+        ("displacement", displacement),
+        ("crack_width", crack_width),
+        ("damage", damage),
+        ("utilisation", utilisation),
+    ]
+    .into_iter()
+    .filter_map(|(name, limit)| Some((name.to_owned(), limit?)))
+    .collect()
+}

@@ -1,0 +1,121 @@
+//! The codes by which a case wants sections judged, with the elements that each is meant for.
+
+use super::groups::nothing_fits;
+use crate::sections::stations;
+use crate::strength::JudgedBy;
+use std::collections::{BTreeSet, HashMap};
+use tremolite_case::{Case, Diagnostic, Section, SectionCode, pattern};
+use tremolite_engine::{Life, Stage};
+use tremolite_mesh::Mesh;
+use tremolite_sections::{Code, Grade, Rule};
+
+/// All that a case asks for. `lives` and `solid` are as for reinforcement.
+pub fn build(
+    case: &Case,
+    mesh: &Mesh,
+    lives: &[Life],
+    solid: &[bool],
+    problems: &mut Vec<Diagnostic>,
+) -> Vec<JudgedBy> {
+    let standing: Vec<bool> =
+        lives.iter().zip(solid).map(|(life, solid)| *solid && life.holds(Stage::Shaking)).collect();
+    let mut all = Vec::new();
+    let mut taken: HashMap<u32, usize> = HashMap::new();
+    for (k, section) in case.sections.iter().enumerate() {
+        let before = problems.len();
+        let mut elements = BTreeSet::new();
+        for on in &section.on {
+            let mut fits = mesh.groups.iter().filter(|(name, _)| pattern::matches(on, name)).peekable();
+            if fits.peek().is_none() {
+                problems.push(nothing_fits(mesh, on));
+            }
+            elements.extend(fits.flat_map(|(_, elements)| elements.iter().copied()));
+        }
+        let elements: Vec<u32> = elements.into_iter().collect();
+        problems
+            .extend(unfit(case, section, mesh, &elements, &standing).filter(|_| problems.len() == before));
+        if let (Some(other), Some(on)) = (elements.iter().find_map(|e| taken.get(e)), section.on.first()) {
+            problems.push(Diagnostic::at(
+                on,
+                format!("some of these elements are judged by [[section]] {} as well", other + 1),
+                "name each group in one [[section]]",
+            ));
+        }
+        taken.extend(elements.iter().map(|e| (*e, k)));
+        let Some(grade) = grade(section, problems) else { continue };
+        all.push(JudgedBy {
+            elements,
+            code: section.code.word().into(),
+            grade: section.grade.as_ref().map_or_else(String::new, |grade| grade.value.clone()),
+            rule: Rule {
+                code: code(section),
+                grade,
+                concrete_factor: section.gamma_c,
+                steel_factor: section.gamma_s,
+                compression_factor: section.alpha_cc,
+                tension_factor: section.alpha_ct,
+                resistance_factor: section.gamma_d,
+                tension: section.plain_tension,
+            },
+            dynamic: section.dynamic,
+        });
+    }
+    all
+}
+
+fn code(section: &Section) -> Code {
+    match section.code.value {
+        SectionCode::En => Code::En,
+        SectionCode::Gb => Code::Gb,
+    }
+}
+
+/// The strengths, by grade or as they are given.
+fn grade(section: &Section, problems: &mut Vec<Diagnostic>) -> Option<Grade> {
+    let code = code(section);
+    let Some(name) = &section.grade else {
+        let [compression, tension] = section.strengths?;
+        return Some(Grade { compression, tension });
+    };
+    let found = Grade::of(code, name);
+    if found.is_none() {
+        let known: Vec<&str> = Grade::names(code).collect();
+        problems.push(Diagnostic::at(
+            name,
+            format!("{} knows no grade '{}' here", section.code.word(), name.value),
+            format!(
+                "known are {}; else give `compressive_strength` and `tensile_strength`, up to C50 alone",
+                known.join(", ")
+            ),
+        ));
+    }
+    found
+}
+
+/// Why elements cannot be judged: they have no thickness, or bars in them that never yield.
+fn unfit(
+    case: &Case,
+    section: &Section,
+    mesh: &Mesh,
+    elements: &[u32],
+    standing: &[bool],
+) -> Option<Diagnostic> {
+    let on = section.on.first()?;
+    if stations(mesh, elements, standing).is_empty() {
+        return Some(Diagnostic::at(
+            on,
+            "there is no thickness through which a section could be taken",
+            "name groups of hexahedra that are thin one way, as linings are",
+        ));
+    }
+    let endless = case.reinforcement.iter().filter(|steel| steel.yields.is_none()).find(|steel| {
+        let fits = |name: &str| steel.on.iter().any(|on| pattern::matches(on, name));
+        let inside = mesh.groups.iter().filter(|(name, _)| fits(name));
+        inside.flat_map(|(_, own)| own).any(|e| elements.binary_search(e).is_ok())
+    })?;
+    Some(Diagnostic::new(
+        endless.span.clone(),
+        "bars that never yield have no strength by which a section could be judged",
+        "give `yield`, such as \"500 MPa\"",
+    ))
+}
