@@ -78,11 +78,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, again: Vec<OsString>) 
         Command::Schema => commands::list::schema(),
         Command::New(args) => commands::new::run(&args),
     };
-    match result {
-        Ok(code) => code as u8,
+    let code = match result {
+        Ok(code) => code,
         Err(failure) => {
             ranks::failed(&failure);
-            failure.code as u8
+            failure.code
         }
-    }
+    };
+    ranks::end();
+    code as u8
 }

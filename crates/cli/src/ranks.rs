@@ -2,8 +2,8 @@
 
 use crate::exit::{Code, Failure};
 use crate::terminal;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tremolite::{Division, Exchange, Ranks};
 
 /// A run's ranks, once they were started.
@@ -15,8 +15,12 @@ pub struct Started {
 
 /// Whether an error was told to all ranks, so that each ends by itself.
 static AGREED: AtomicBool = AtomicBool::new(false);
-/// Whether ranks were started.
-static STARTED: AtomicBool = AtomicBool::new(false);
+/// The ranks that were started, which stay until all is said: a rank that fails ends the others before MPI itself would wait for them.
+static STARTED: Mutex<Option<Arc<dyn Exchange>>> = Mutex::new(None);
+
+fn kept() -> MutexGuard<'static, Option<Arc<dyn Exchange>>> {
+    STARTED.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Whether something that starts ranks has started this process, and more than one.
 pub fn is_one_of_several() -> bool {
@@ -37,7 +41,7 @@ pub fn started() -> Result<Option<Started>, Failure> {
         return Ok(None);
     }
     let started = begin()?;
-    STARTED.store(true, Relaxed);
+    *kept() = Some(started.exchange.clone());
     if started.exchange.rank() > 0 {
         terminal::be_quiet();
     }
@@ -74,12 +78,17 @@ fn end_all(_: Code) {}
 
 /// Ends all ranks for a failure of this one, unless all know of it.
 pub fn failed(failure: &Failure) {
-    if STARTED.load(Relaxed) && !AGREED.load(Relaxed) {
+    if kept().is_some() && !AGREED.load(Relaxed) {
         terminal::say_of_rank(&failure.message);
         end_all(failure.code);
     } else {
         terminal::say(&failure.message);
     }
+}
+
+/// Leaves the other ranks in good order, where all came so far.
+pub fn end() {
+    drop(kept().take());
 }
 
 impl Started {

@@ -107,6 +107,11 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
+/// The size of a message [bytes], as people read it.
+pub fn sent(size: f64) -> String {
+    if size < 1e7 { format!("{:.1} kB", 1e-3 * size) } else { bytes(size as usize) }
+}
+
 /// Bytes for people.
 pub fn bytes(bytes: usize) -> String {
     let b = bytes as f64;

@@ -9,6 +9,7 @@ use crate::assembly::Assembly;
 use crate::hexahedra::centroid;
 use crate::member::Member;
 use crate::model::{Model, Patch};
+use tremolite_kernels::Quadrature;
 use tremolite_mesh::order::hilbert_order;
 
 /// Who evaluates the parts of a model and who adds up over its nodes.
@@ -113,7 +114,11 @@ fn weight(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
     let part = &assembly.members[assembly.of_patch[patch] as usize].part;
     let patch = &model.patches[patch];
     let (elements, points) = part.elements();
-    let element = 0.6 + points as f64 * (0.4 + 0.03 * part.columns().len() as f64);
+    let of_point = match model.bodies[patch.body].quadrature {
+        Quadrature::Layered(_) => 0.55,
+        Quadrature::OnePoint | Quadrature::Full => 1.0,
+    };
+    let element = 0.6 + points as f64 * of_point * (0.4 + 0.03 * part.columns().len() as f64);
     let shape = if patch.bricks || points > 1 { 1.0 } else { 1.5 };
     let updates = 1u32 << (model.nodes.coarsest() - patch.level);
     elements as f64 * element * shape * f64::from(updates)

@@ -1,6 +1,6 @@
 //! How a run would be shared out to several ranks.
 
-use crate::terminal::{bytes, print};
+use crate::terminal::{bytes, print, sent};
 use tremolite::Division;
 use tremolite::job::Job;
 
@@ -24,7 +24,7 @@ pub fn print_lines(job: &Job, ranks: u32) {
         traffic.iter().map(|one| one.bytes).fold(0.0, f64::max),
         traffic.iter().map(|one| one.bytes).sum::<f64>() / f64::from(ranks),
     ];
-    print(&format!("  sent in a step: {} by a rank in the mean, {} at most", shown(mean), shown(most)));
+    print(&format!("  sent in a step: {} by a rank in the mean, {} at most", sent(mean), sent(most)));
     print(&format!("  each rank holds the whole model and room for its state, {}", bytes(survey.bytes)));
     let empty = division.weights.iter().filter(|weight| **weight == 0.0).count();
     if empty > 0 {
@@ -38,12 +38,8 @@ pub fn print_lines(job: &Job, ranks: u32) {
                 100.0 * weight / whole,
                 one.nodes,
                 one.neighbours,
-                shown(one.bytes)
+                sent(one.bytes)
             ));
         }
     }
-}
-
-fn shown(size: f64) -> String {
-    bytes(size as usize)
 }

@@ -1,6 +1,6 @@
 //! What a run says, to the terminal and to log.txt.
 
-use crate::terminal::{bytes, duration, say};
+use crate::terminal::{bytes, duration, say, sent};
 use std::io::Write;
 use tremolite::job::Job;
 use tremolite::plan::Plan;
@@ -61,7 +61,7 @@ pub(super) fn busy(ranks: &Ranks) -> String {
         mean(&worked),
         most(&worked),
         mean(&waited),
-        crate::terminal::bytes(most(&bytes) as usize)
+        sent(most(&bytes))
     )
 }
 
