@@ -139,7 +139,7 @@ impl Started {
     }
 
     /// Numbers of the first rank, for all: the bytes of a text.
-    pub fn from_first(&self, text: &str) -> String {
+    pub fn told_by_first(&self, text: &str) -> String {
         let bytes: Vec<f64> =
             if self.is_first() { text.bytes().map(f64::from).collect() } else { Vec::new() };
         let mut counts = vec![0; self.exchange.ranks() as usize];

@@ -126,13 +126,13 @@ fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<
         (Some(own), None) => own?,
         (Some(own), Some(started)) => {
             let own = started.together(own)?;
-            started.from_first(&own.0.root().to_string_lossy());
+            started.told_by_first(&own.0.root().to_string_lossy());
             own
         }
         (None, Some(started)) => {
             started.together(Ok(()))?;
             let folder =
-                ResultFolder::open_existing(Path::new(&started.from_first(""))).map_err(Failure::failed)?;
+                ResultFolder::open_existing(Path::new(&started.told_by_first(""))).map_err(Failure::failed)?;
             let begun = job.join(&folder, start);
             (folder, begun)
         }
