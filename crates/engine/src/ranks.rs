@@ -19,7 +19,7 @@ use crate::state::State;
 use std::ops::Range;
 use std::sync::Arc;
 use std::time::Instant;
-use tremolite_kernels::Lines;
+use tremolite_kernels::Line;
 use tremolite_laws::{Octet, Row};
 
 /// A rank, and how the model is shared out among all.
@@ -237,7 +237,7 @@ impl Ranks {
         let width = ledger.width();
         let of_members =
             self.division.of_member.iter().copied().enumerate().map(|(m, rank)| (rank, m..m + 1));
-        self.pieces(&mut ledger.members, Lines::WIDTH, of_members, to);
+        self.pieces(&mut ledger.members, Line::ALL.len(), of_members, to);
         let of_blocks = self.division.of_block.iter().copied().enumerate();
         let of_blocks = of_blocks.map(|(b, rank)| (rank, width * b..width * (b + 1)));
         self.pieces(&mut ledger.blocks, 1, of_blocks, to);

@@ -124,9 +124,6 @@ impl Default for Lines {
 }
 
 impl Lines {
-    /// How many values there are.
-    pub const WIDTH: usize = Line::ALL.len();
-
     /// Lines with their values, in the order of [`Line::ALL`].
     pub fn iter(&self) -> impl Iterator<Item = (Line, f64)> + '_ {
         Line::ALL.iter().map(|&line| (line, self[line]))

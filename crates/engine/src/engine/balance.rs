@@ -53,7 +53,7 @@ impl Engine {
         let own = of_accounts.into_iter().zip(accounts);
         let lists = std::iter::once((of_all, all)).chain(own);
         let trees = lists.map(|(of, own)| Tree::new(of, ranks.rank(), own)).collect();
-        let mut sums = ranks.sums(Lines::WIDTH, trees, plus).into_iter();
+        let mut sums = ranks.sums(Line::ALL.len(), trees, plus).into_iter();
         (sums.next().unwrap_or_default(), sums.collect())
     }
 
