@@ -131,8 +131,8 @@ fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<
         }
         (None, Some(started)) => {
             started.together(Ok(()))?;
-            let folder =
-                ResultFolder::open_existing(Path::new(&started.told_by_first(""))).map_err(Failure::failed)?;
+            let folder = ResultFolder::open_existing(Path::new(&started.told_by_first("")))
+                .map_err(Failure::failed)?;
             let begun = job.join(&folder, start);
             (folder, begun)
         }
