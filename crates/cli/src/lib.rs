@@ -3,6 +3,7 @@
 mod commands;
 mod exit;
 mod machine;
+mod ranks;
 mod terminal;
 
 use clap::{Parser, Subcommand};
@@ -59,6 +60,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, again: Vec<OsString>) 
             return told.exit_code() as u8;
         }
     };
+    if ranks::is_one_of_several() && !matches!(cli.command, Command::Run(_)) {
+        terminal::say("error: `run` alone works on several ranks; start other commands without mpirun");
+        return exit::Code::BadInput as u8;
+    }
     let result = match cli.command {
         Command::Check(args) => commands::check::run(&args),
         Command::Run(args) => commands::run::run(&args),
@@ -73,11 +78,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, again: Vec<OsString>) 
         Command::Schema => commands::list::schema(),
         Command::New(args) => commands::new::run(&args),
     };
-    match result {
-        Ok(code) => code as u8,
+    let code = match result {
+        Ok(code) => code,
         Err(failure) => {
-            terminal::say(&failure.message);
-            failure.code as u8
+            ranks::failed(&failure);
+            failure.code
         }
-    }
+    };
+    ranks::end();
+    code as u8
 }

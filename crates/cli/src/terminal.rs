@@ -1,6 +1,7 @@
 //! Talking to the person at the terminal: messages on standard error, data on standard output.
 
 use std::io::{IsTerminal, Write};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 use tremolite::job::Remark;
 
@@ -9,9 +10,31 @@ pub fn colour() -> bool {
     std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
+/// Whether another process speaks for this one.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From now on another process speaks for this one.
+pub fn be_quiet() {
+    QUIET.store(true, Relaxed);
+}
+
+fn is_quiet() -> bool {
+    QUIET.load(Relaxed)
+}
+
 /// A message. A closed standard error is no reason to stop.
 pub fn say(message: &str) {
-    let _ = writeln!(std::io::stderr(), "{message}");
+    if !is_quiet() {
+        let _ = writeln!(std::io::stderr(), "{message}");
+    }
+}
+
+/// A message of a process for which another speaks, of what that does not know.
+pub fn say_of_rank(message: &str) {
+    let _ = match is_quiet() {
+        true => writeln!(std::io::stderr(), "of a rank that is not the first: {message}"),
+        false => writeln!(std::io::stderr(), "{message}"),
+    };
 }
 
 /// What is unusual of a case.
@@ -46,6 +69,9 @@ impl ProgressLine {
     pub fn show(&mut self, done: f64, words: &str) {
         let left =
             if done > 0.0 { self.begin.elapsed().as_secs_f64() * (1.0 - done) / done } else { f64::NAN };
+        if is_quiet() {
+            return;
+        }
         let text = format!("  {:3.0} %  {words}  {} left", 100.0 * done, duration(left));
         if self.live {
             let pad = self.width.saturating_sub(text.chars().count());
@@ -79,6 +105,11 @@ pub fn duration(seconds: f64) -> String {
         120..=7199 => format!("{} min", (s + 30) / 60),
         _ => format!("{:.1} h", d.as_secs_f64() / 3600.0),
     }
+}
+
+/// The size of a message [bytes], as people read it.
+pub fn sent(size: f64) -> String {
+    if size < 1e7 { format!("{:.1} kB", 1e-3 * size) } else { bytes(size as usize) }
 }
 
 /// Bytes for people.

@@ -44,8 +44,6 @@ pub struct Member {
     pub body: Option<u32>,
     /// The level of its step in the shaking, the finest of the nodes that it pushes.
     pub level: u8,
-    /// Who evaluates it: 0, this process, for all so far.
-    pub owner: u32,
     /// What it reads beyond its own nodes and memory: what its part names, elements that its own take over from, and those beside
     /// pairs that a stage frees.
     pub reads: Reads,
@@ -80,7 +78,6 @@ impl Member {
             kind,
             body: None,
             level: 0,
-            owner: 0,
             reads,
             part,
             masses: Vec::new(),

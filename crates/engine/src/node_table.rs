@@ -32,12 +32,10 @@ pub struct Nodes {
     pub domain: Vec<Domain>,
     /// The level of its step in the shaking: that of level l is 2^l steps of the finest, 0.
     pub level: Vec<u8>,
-    /// Who advances it: 0, this process, for all so far.
-    pub owner: Vec<u32>,
 }
 
 impl Nodes {
-    /// One more block, this process's own.
+    /// One more block.
     pub(crate) fn push(&mut self, domain: Domain, level: u8, count: usize) {
         if count == 0 {
             return;
@@ -45,7 +43,6 @@ impl Nodes {
         let nodes = self.len()..self.len() + count;
         self.domain.resize(nodes.end, domain);
         self.level.resize(nodes.end, level);
-        self.owner.resize(nodes.end, 0);
         self.blocks.push(Block { domain, level, nodes });
     }
 

@@ -3,6 +3,7 @@
 
 pub mod beats;
 mod driven;
+pub mod ours;
 pub mod passes;
 mod woken;
 
@@ -24,6 +25,7 @@ use crate::state::State;
 use crate::ties::Ties;
 use beats::{Beat, Border, Meeting, span};
 pub use driven::Driven;
+use ours::Ours;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 use tremolite_kernels::Points;
@@ -81,6 +83,7 @@ pub const NO_ACCOUNT: u16 = u16::MAX;
 pub const SEVERAL: u16 = u16::MAX - 1;
 
 /// The active parts of an assembly, and the nodes they act on.
+#[derive(Clone)]
 pub struct Phase {
     pub stage: Stage,
     pub drive: Drive,
@@ -129,6 +132,8 @@ pub struct Phase {
     pub borders: Vec<Border>,
     /// Element of the mesh → its slot; for active elements of the user.
     pub element_slot: Vec<Option<ElementSlot>>,
+    /// What of it one rank has, where several work on the model: beats are then that rank's.
+    pub ours: Option<Ours>,
 }
 
 impl Phase {
@@ -324,13 +329,29 @@ impl Phase {
             leaders,
             beats,
             borders,
+            ours: None,
         }))
+    }
+
+    /// The number of what takes part in the step that begins at a state, in [`Phase::beats`].
+    pub fn beat_number(&self, state: &State) -> usize {
+        let coarsest = state.steps().trailing_zeros() as usize;
+        coarsest.min(self.beats.len() - 1)
     }
 
     /// What takes part in the step that begins at a state.
     pub fn beat(&self, state: &State) -> &Beat {
-        let coarsest = state.steps().trailing_zeros() as usize;
-        &self.beats[coarsest.min(self.beats.len() - 1)]
+        &self.beats[self.beat_number(state)]
+    }
+
+    /// Members that are there and that this process evaluates, ascending.
+    pub fn members(&self) -> &[u32] {
+        self.ours.as_ref().map_or(&self.active, |ours| &ours.members)
+    }
+
+    /// Whether this process knows how a node moves.
+    pub fn holds(&self, node: u32) -> bool {
+        self.ours.as_ref().is_none_or(|ours| ours.holds[node as usize])
     }
 
     /// Steps of the finest level in one of the coarsest.

@@ -27,6 +27,11 @@ pub enum RunError {
     RestAlone,
     #[error("no stage is left to bring to rest; go on with steps")]
     NoStageLeft,
+    #[error(
+        "rank {0} runs another case than the first, or another program; start all ranks with the same program, case file and \
+         input files"
+    )]
+    OtherRank(usize),
     #[error("what looks at the run failed in step {0}; go back to its checkpoint")]
     Spoiled(u64),
 }

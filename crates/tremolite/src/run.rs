@@ -133,8 +133,8 @@ fn shake(
                 ..Progress::default()
             });
         }
-        let stop = control.stop.load(Ordering::Relaxed);
-        if stop || keep.strikes() {
+        let [stop, keep] = simulation.agreed(control.stop.load(Ordering::Relaxed), keep.strikes());
+        if stop || keep {
             if let Some((halt, place)) = simulation.checkpoint()? {
                 return Ok(Ending::Failed { halt, place });
             }

@@ -3,6 +3,7 @@
 //! It owns the state and shares the model, and nothing outside ever sees a state within a step. Whoever drives it decides when to
 //! go on; results do not depend on how. Files are written by its observers as it goes, so that what is done stays done.
 
+mod followed;
 mod outcome;
 mod shaking;
 mod stages;
@@ -22,11 +23,12 @@ use std::sync::Arc;
 use tremolite_engine::assembly::Assembly;
 pub use tremolite_engine::engine::Look;
 use tremolite_engine::engine::{Proof, prove};
+use tremolite_engine::exchange::To;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::phase::beats::span;
 use tremolite_engine::state::State;
-use tremolite_engine::{ModelError, StableStep, Stage, finer_levels, stable_step};
+use tremolite_engine::{ModelError, Ranks, StableStep, Stage, finer_levels, stable_step};
 use tremolite_results::ResultFolder;
 
 /// The step of the finest level that a model runs with, and the plan in steps.
@@ -128,7 +130,15 @@ pub struct Simulation {
     state: State,
     /// The shaking, once it goes on.
     shaking: Option<Shaking>,
+    /// The rank that this process is, where several work on the model. The first alone has observers and writes.
+    ranks: Option<Arc<Ranks>>,
+    /// How often it was asked whether to stop, and what any rank has wished for since all were asked.
+    asked: u64,
+    wished: u64,
 }
+
+/// Askings whether to stop between times at which ranks agree.
+const AGREE: u64 = 8;
 
 impl Simulation {
     /// A simulation of a plan on a model, which writes its files into a folder. `own` are observers of a program's own, which are told
@@ -142,6 +152,22 @@ impl Simulation {
         folder: &ResultFolder,
         start: Start,
         own: OwnObservers,
+    ) -> Result<Self, RunError> {
+        Simulation::among(built, plan, folder, start, own, None)
+    }
+
+    /// What a rank has of one, if there are several: all of them call the same functions in the same order, and read the same checkpoint. The
+    /// first has the observers, and writes; of the others nothing is to be had but numbers of the model as a whole.
+    ///
+    /// # Errors
+    /// As [`Simulation::new`]. An error on one rank is not told to the others: who drives it ends them all.
+    pub fn among(
+        built: &Built,
+        plan: &Plan,
+        folder: &ResultFolder,
+        start: Start,
+        own: OwnObservers,
+        ranks: Option<Arc<Ranks>>,
     ) -> Result<Self, RunError> {
         let Built { model, assembly, phase, stable } = built.clone();
         let (dt, steps) = choose_step(&model, plan, &stable);
@@ -160,7 +186,16 @@ impl Simulation {
             fingerprint,
             state: State::default(),
             shaking: None,
+            ranks,
+            asked: 0,
+            wished: 0,
         };
+        if let Some(ranks) = &simulation.ranks {
+            let all = ranks.each(f64::from_bits(fingerprint));
+            if let Some(other) = all.iter().position(|one| one.to_bits() != all[0].to_bits()) {
+                return Err(RunError::OtherRank(other));
+            }
+        }
         match start {
             Start::Rest => simulation.state = simulation.at_rest(),
             Start::Resume => simulation.restore()?,
@@ -205,7 +240,42 @@ impl Simulation {
             time: state.time(),
             dt: self.dt,
         };
-        Audience::of(&self.observers, &setting, self.poisoned)
+        let Some(ranks) = &self.ranks else { return Audience::of(&self.observers, &setting, self.poisoned) };
+        let own = match ranks.is_first() {
+            true => Audience::of(&self.observers, &setting, self.poisoned)?,
+            false => Audience::default(),
+        };
+        Ok(own.of_first(ranks))
+    }
+
+    /// Whether this process writes files.
+    fn writes(&self) -> bool {
+        self.ranks.as_ref().is_none_or(|ranks| ranks.is_first())
+    }
+
+    /// Makes a state whole where it is written, or on all ranks.
+    fn whole(&self, state: &mut State, to: To) {
+        if let Some(ranks) = &self.ranks {
+            ranks.whole(&self.model, &self.assembly, state, to);
+        }
+    }
+
+    /// What all ranks do together, if there are several: stop if any wishes so, write a checkpoint if the first does. All are asked now and
+    /// then, so it may come a few steps later.
+    pub fn agreed(&mut self, stop: bool, checkpoint: bool) -> [bool; 2] {
+        let Some(ranks) = &self.ranks else { return [stop, checkpoint] };
+        self.wished |= u64::from(stop) | (u64::from(checkpoint && ranks.is_first()) << 1);
+        self.asked += 1;
+        if !self.asked.is_multiple_of(AGREE) {
+            return [false; 2];
+        }
+        let all = ranks.agree(std::mem::take(&mut self.wished));
+        [all & 1 > 0, all & 2 > 0]
+    }
+
+    /// The rank that this process is, where several work on the model.
+    pub fn ranks(&self) -> Option<&Arc<Ranks>> {
+        self.ranks.as_ref()
     }
 
     /// Tells observers that another run's stages were taken over.

@@ -1,6 +1,7 @@
 //! `tremolite check`: what will happen, before it happens.
 
 mod bolts;
+mod ranks;
 mod stages;
 mod text;
 
@@ -40,6 +41,9 @@ pub struct Args {
     /// Write where bolts will be into this folder, a file a group, as a case's `file` reads them
     #[arg(long, value_name = "DIR")]
     bolts: Option<PathBuf>,
+    /// Say how a run would be shared out to so many ranks
+    #[arg(long, conflicts_with = "json", value_parser = clap::value_parser!(u32).range(1..))]
+    ranks: Option<u32>,
     /// End with status 1 where there is a warning
     #[arg(long)]
     strict: bool,
@@ -65,6 +69,7 @@ pub fn run(args: &Args) -> Outcome {
         } else {
             let lines = if args.all { Lines::All } else { Lines::Deciding };
             text::print_lines(&checked, lines);
+            args.ranks.iter().for_each(|&ranks| ranks::print_lines(&job, ranks));
         }
         let refused = free
             .lacks_for(&job)

@@ -6,14 +6,15 @@ use super::room::Free;
 use super::{load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
+use crate::ranks::{self, Started};
 use crate::terminal::{ProgressLine, tell};
-use messages::{Log, after, before, progress};
+use messages::{Log, after, before, busy, progress, shared_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tremolite::RunError;
-use tremolite::job::{Caller, Job};
+use tremolite::job::{Begun, Caller, Job};
 use tremolite::run::{Control, Progress};
 use tremolite::simulation::{Ending, Start};
 use tremolite_results::ResultFolder;
@@ -53,8 +54,25 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Outcome {
     let since = Instant::now();
+    let started = ranks::started()?;
+    let threads = args.threads.or_else(|| started.as_ref().map(Started::threads));
+    let pool = pool(threads)?;
+    // The pool's threads end before MPI does.
+    pool.install(|| match &started {
+        None => go(args, since, asked(args)?, None),
+        Some(started) => go(args, since, started.together(asked(args))?, Some(started)),
+    })
+}
+
+/// A case that can be run, and what it is to begin with.
+struct Asked {
+    job: Job,
+    other: Option<ResultFolder>,
+}
+
+/// What is asked for, before anything is written.
+fn asked(args: &Args) -> Result<Asked, Failure> {
     let isa = machine::isa(args.isa.as_deref())?;
-    let pool = pool(args.threads)?;
     let free = Free::now(args.out.as_deref().unwrap_or(Path::new("results")));
     let loaded = load(&args.case, &args.set, isa)?;
     let room = |lacking: &[String]| match lacking {
@@ -63,76 +81,113 @@ pub fn run(args: &Args) -> Outcome {
         all => Err(Failure::input(format!("{}; --allow runs it all the same", all.join("\n")))),
     };
     room(&free.lacks_for_mesh(loaded.setup.problem.mesh.elements.len()).into_iter().collect::<Vec<_>>())?;
-    pool.install(|| {
-        if let Some(from) = &args.from {
-            loaded.check_from().map_err(|why| no_rest(from, &why))?;
-        }
-        let job = modelled(loaded)?;
-        tell(&job.remarks());
-        // Who goes on has found room before, and what is replaced gives its own back.
-        if !args.resume && !args.overwrite {
-            room(&free.lacks_for(&job))?;
-        }
-        let warned = !job.said().is_empty();
-        let other = args.from.as_deref().map(|from| rest(args, &job, from)).transpose()?;
-        let name = job.name();
-        let folder = if args.resume {
-            ResultFolder::resume(args.out.as_deref(), &name)
-        } else {
-            ResultFolder::create(args.out.as_deref(), &name, args.overwrite)
-        }
-        .map_err(Failure::input)?;
-        let start = match &other {
-            Some(other) => Start::From(other),
-            None if args.resume => Start::Resume,
-            None => Start::Rest,
-        };
-        let begun = job.begin(&folder, start).map_err(|e| match e {
-            RunError::OtherCase { .. } => {
-                Failure::input(format!("{e}; resume with that one, or start again without --resume"))
-            }
-            e => Failure::failed(e),
-        })?;
-        let mut log = Log::open(&folder);
-        let caller = Caller {
-            program: format!("tremolite {}", env!("CARGO_PKG_VERSION")),
-            command: std::env::args().collect::<Vec<_>>().join(" "),
-            started: jiff::Timestamp::now().to_string(),
-            since,
-        };
-        log.keep(&format!("{}: {}", caller.program, caller.command));
-        before(&mut log, &job);
+    if let Some(from) = &args.from {
+        loaded.check_from().map_err(|why| no_rest(from, &why))?;
+    }
+    let job = modelled(loaded)?;
+    tell(&job.remarks());
+    // Who goes on has found room before, and what is replaced gives its own back.
+    if !args.resume && !args.overwrite {
+        room(&free.lacks_for(&job))?;
+    }
+    let other = args.from.as_deref().map(|from| rest(args, &job, from)).transpose()?;
+    Ok(Asked { job, other })
+}
 
-        let stop = Arc::new(AtomicBool::new(false));
-        for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-            // Without the handler a signal ends the program at once; nothing worse.
-            let _ = signal_hook::flag::register(signal, stop.clone());
+/// The folder of a run, which keeps the case.
+fn begin(args: &Args, job: &Job, start: Start) -> Result<(ResultFolder, Begun), Failure> {
+    let name = job.name();
+    let folder = if args.resume {
+        ResultFolder::resume(args.out.as_deref(), &name)
+    } else {
+        ResultFolder::create(args.out.as_deref(), &name, args.overwrite)
+    }
+    .map_err(Failure::input)?;
+    let begun = job.begin(&folder, start).map_err(|e| match e {
+        RunError::OtherCase { .. } => {
+            Failure::input(format!("{e}; resume with that one, or start again without --resume"))
         }
-        let mut line = ProgressLine::new();
-        let mut in_stages = !job.plan.stages.is_empty();
-        let mut tell = |p: Progress| {
-            // The earthquake counts from its own beginning.
-            if p.stage.is_none() && std::mem::take(&mut in_stages) {
-                line = ProgressLine::new();
-            }
-            line.show(p.share, &progress(&job.plan, &p));
-        };
-        let mut control = Control { stop: &stop, progress: &mut tell };
-        let simulation = begun.simulation(&job, Vec::new());
-        let outcome = simulation.and_then(|simulation| tremolite::run::run(simulation, &mut control));
-        line.end();
-        let outcome = outcome.map_err(Failure::failed)?;
+        e => Failure::failed(e),
+    })?;
+    Ok((folder, begun))
+}
 
+/// Runs what is asked for, alone or with other ranks.
+fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<&Started>) -> Outcome {
+    let warned = !job.said().is_empty();
+    let start = match &other {
+        Some(other) => Start::From(other),
+        None if args.resume => Start::Resume,
+        None => Start::Rest,
+    };
+    let first = started.is_none_or(Started::is_first);
+    let own = if first { Some(begin(args, &job, start)) } else { None };
+    let (folder, begun) = match (own, started) {
+        (Some(own), None) => own?,
+        (Some(own), Some(started)) => {
+            let own = started.together(own)?;
+            started.told_by_first(&own.0.root().to_string_lossy());
+            own
+        }
+        (None, Some(started)) => {
+            started.together(Ok(()))?;
+            let folder = ResultFolder::open_existing(Path::new(&started.told_by_first("")))
+                .map_err(Failure::failed)?;
+            let begun = job.join(&folder, start);
+            (folder, begun)
+        }
+        (None, None) => return Err(Failure::failed("no rank is the first")),
+    };
+    let mut log = if first { Log::open(&folder) } else { Log::none() };
+    let caller = Caller {
+        program: format!("tremolite {}", env!("CARGO_PKG_VERSION")),
+        command: std::env::args().collect::<Vec<_>>().join(" "),
+        started: jiff::Timestamp::now().to_string(),
+        since,
+    };
+    log.keep(&format!("{}: {}", caller.program, caller.command));
+    before(&mut log, &job);
+    let ranks = started.map(|started| started.at_work(&job.model, &job.assembly));
+    if let Some((ranks, started)) = ranks.as_ref().zip(started) {
+        let bound = started.bound();
+        log.say(&shared_out(&ranks.division));
+        bound.iter().for_each(|bound| log.say(&format!("warning: {bound}")));
+    }
+
+    let stop = Arc::new(AtomicBool::new(false));
+    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+        // Without the handler a signal ends the program at once; nothing worse.
+        let _ = signal_hook::flag::register(signal, stop.clone());
+    }
+    let mut line = ProgressLine::new();
+    let mut in_stages = !job.plan.stages.is_empty();
+    let mut tell = |p: Progress| {
+        // The earthquake counts from its own beginning.
+        if p.stage.is_none() && std::mem::take(&mut in_stages) {
+            line = ProgressLine::new();
+        }
+        line.show(p.share, &progress(&job.plan, &p));
+    };
+    let mut control = Control { stop: &stop, progress: &mut tell };
+    let simulation = begun.simulation_among(&job, Vec::new(), ranks.clone());
+    let outcome = simulation.and_then(|simulation| tremolite::run::run(simulation, &mut control));
+    line.end();
+    let outcome = outcome.map_err(Failure::failed)?;
+    let busy = ranks.map(|ranks| busy(&ranks));
+    if first {
         let summary = begun.end(&job, &outcome, &caller).map_err(Failure::failed)?;
         let page = tremolite_report::write(folder.root()).map_err(Failure::failed)?;
         after(&mut log, &job, &outcome, &summary);
+        busy.iter().for_each(|busy| log.say(busy));
         log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));
-        Ok(match outcome.ending {
-            Ending::Done if args.strict && (warned || summary.warnings() > 0) => Code::Failed,
-            Ending::Done => Code::Done,
-            Ending::Failed { .. } | Ending::Restless { .. } | Ending::SnappedBack { .. } => Code::Failed,
-            Ending::Stopped => Code::Stopped,
-        })
+        if args.strict && matches!(outcome.ending, Ending::Done) && (warned || summary.warnings() > 0) {
+            return Ok(Code::Failed);
+        }
+    }
+    Ok(match outcome.ending {
+        Ending::Done => Code::Done,
+        Ending::Failed { .. } | Ending::Restless { .. } | Ending::SnappedBack { .. } => Code::Failed,
+        Ending::Stopped => Code::Stopped,
     })
 }
 

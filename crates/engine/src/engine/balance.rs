@@ -4,8 +4,9 @@
 
 use super::evaluation::{Forces, Probed};
 use super::nodes::Measured;
-use super::{BodyBooks, Engine, Snapshot, guard, nodes};
+use super::{BodyBooks, Engine, Snapshot, nodes};
 use crate::parts::{ElementEnergy, Kept, Motion};
+use crate::ranks::Tree;
 use crate::state::{Ledger, OF_NODES, State};
 use crate::sums::tree;
 use tremolite_kernels::{Booked, Line, Lines};
@@ -19,25 +20,52 @@ struct Totals {
 }
 
 impl Engine {
-    /// Energies of members added up: `own` of their elements, which go into accounts, and `more`.
-    pub(super) fn added(&self, of: impl Iterator<Item = (u32, Lines, Lines)>) -> (Lines, Vec<Lines>) {
+    /// Energies of members added up: those of their elements, which go into accounts, and others. `of` is asked for both in the order
+    /// of members, of those that this process has.
+    pub(super) fn added(
+        &self,
+        members: impl Iterator<Item = u32> + Clone,
+        mut of: impl FnMut(u32) -> [Lines; 2],
+    ) -> (Lines, Vec<Lines>) {
+        let account = &self.assembly.account;
         let mut accounts = vec![Vec::new(); self.assembly.accounts.len()];
         let mut all = Vec::new();
-        for (m, own, more) in of {
-            if let Some(account) = self.assembly.account[m as usize] {
+        for m in members.clone().filter(|&m| self.has(m as usize)) {
+            let [own, more] = of(m);
+            if let Some(account) = account[m as usize] {
                 accounts[account as usize].push(own);
             }
             all.push(own + more);
         }
         let plus = |a: Lines, b: Lines| a + b;
-        (tree(all, plus), accounts.into_iter().map(|own| tree(own, plus)).collect())
+        let Some(ranks) = &self.ranks else {
+            return (tree(all, plus), accounts.into_iter().map(|own| tree(own, plus)).collect());
+        };
+        let mut of_accounts = vec![Vec::new(); accounts.len()];
+        let mut of_all = Vec::new();
+        for m in members {
+            let rank = ranks.division.of_member[m as usize];
+            if let Some(account) = account[m as usize] {
+                of_accounts[account as usize].push(rank);
+            }
+            of_all.push(rank);
+        }
+        let own = of_accounts.into_iter().zip(accounts);
+        let lists = std::iter::once((of_all, all)).chain(own);
+        let trees = lists.map(|(of, own)| Tree::new(of, ranks.rank(), own)).collect();
+        let mut sums = ranks.sums(Line::ALL.len(), trees, plus).into_iter();
+        (sums.next().unwrap_or_default(), sums.collect())
+    }
+
+    /// Active members that enter the balance.
+    pub(super) fn counted(&self) -> impl Iterator<Item = u32> + Clone {
+        self.phase.active.iter().copied().filter(|&m| self.assembly.members[m as usize].counted)
     }
 
     /// What the counted parts hold, have dissipated and created, by line: by element, and what else they report; and of the
     /// elements of each account.
     pub(super) fn held(&self, state: &State, kept: Kept, energy: &[ElementEnergy]) -> (Lines, Vec<Lines>) {
-        let counted = self.phase.active.iter().filter(|&&m| self.assembly.members[m as usize].counted);
-        self.added(counted.map(|&m| {
+        self.added(self.counted(), |m| {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
             let mut own = Lines::default();
             for element in &energy[slices.elements.clone()] {
@@ -49,29 +77,44 @@ impl Engine {
             }
             let (u, du) = (self.named(member, &state.u), self.named(member, &state.du));
             let motion = Motion::new(&u, &du);
-            (m, own, member.part.energy(&motion, slices.kept(&kept)))
-        }))
+            [own, member.part.energy(&motion, slices.kept(&kept))]
+        })
     }
 
-    /// What parts and blocks of nodes booked, by line as it enters the balance.
-    fn booked(&self, members: impl Iterator<Item = (u32, Lines)>, blocks: &[f64]) -> Totals {
+    /// What parts and blocks of nodes booked, by line as it enters the balance. Works are asked for in the order of members, of those
+    /// that this process has.
+    fn booked(
+        &self,
+        members: impl Iterator<Item = u32> + Clone,
+        mut work: impl FnMut(u32) -> Lines,
+        blocks: &[f64],
+    ) -> Totals {
         let width = OF_NODES + self.assembly.accounts.len();
-        let rows = blocks.chunks_exact(width).map(<[f64]>::to_vec).collect();
-        let mut nodes = tree(rows, |mut a: Vec<f64>, b| {
+        let rows = blocks.chunks_exact(width).map(<[f64]>::to_vec);
+        let plus = |mut a: Vec<f64>, b: Vec<f64>| {
             a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
             a
-        });
+        };
+        let mut nodes = match &self.ranks {
+            None => tree(rows.collect(), plus),
+            Some(ranks) => {
+                let of = &ranks.division.of_block;
+                let own = rows.zip(of).filter(|(_, of)| **of == ranks.rank()).map(|(row, _)| row);
+                let trees = vec![Tree::new(of.clone(), ranks.rank(), own)];
+                ranks.sums(width, trees, plus).pop().unwrap_or_default()
+            }
+        };
         nodes.resize(width, 0.0);
-        let of = members.map(|(m, work)| {
+        let (mut works, accounts) = self.added(members, |m| {
+            let work = work(m);
             // Of what parts book that are not counted only that on the model's nodes is in a balance.
             if self.assembly.members[m as usize].counted {
-                return (m, work, Lines::default());
+                return [work, Lines::default()];
             }
             let mut on_sides = Lines::default();
             on_sides[Line::FreeField] = work[Line::FreeField];
-            (m, Lines::default(), on_sides)
+            [Lines::default(), on_sides]
         });
-        let (mut works, accounts) = self.added(of);
         let [rayleigh, base, sides, free_field, levels] = [0, 1, 2, 3, 4].map(|k| nodes[k]);
         works[Line::FreeField] -= free_field;
         let mut lines = Lines::default();
@@ -86,25 +129,44 @@ impl Engine {
         Totals { lines, bodies: on_elements.map(|(work, own)| work - own[Line::Viscosity]).collect() }
     }
 
+    /// What was booked until now.
+    fn booked_before(&self, ledger: &Ledger) -> Totals {
+        self.booked(0..ledger.members.len() as u32, |m| ledger.members[m as usize], &ledger.blocks)
+    }
+
     /// Counts what came in since this was last done as supplied for good.
     pub(super) fn close_books(&self, state: &mut State) {
         let ledger = &state.ledger;
-        let booked = self.booked((0..).zip(ledger.members.iter().copied()), &ledger.blocks).lines;
+        let booked = self.booked_before(ledger).lines;
         let (given, _) = self.given(state, |line| lines_in().any(|one| one == line));
         let now = lines_in().map(|line| ledger.lines[line] + booked[line] - line.sign() * given[line]).sum();
         let supplied = ledger.supplied + gain(ledger.put_in, now);
         (state.ledger.put_in, state.ledger.supplied) = (now, supplied);
     }
 
+    /// The sum of what was found in blocks of nodes.
+    fn of_blocks(&self, found: Vec<(usize, [f64; 2])>) -> [f64; 2] {
+        let plus = |a: [f64; 2], b: [f64; 2]| [a[0] + b[0], a[1] + b[1]];
+        let Some(ranks) = &self.ranks else {
+            return tree(found.into_iter().map(|(_, one)| one).collect(), plus);
+        };
+        let of = &ranks.division.of_block;
+        let own = found.into_iter().filter(|(block, _)| of[*block] == ranks.rank()).map(|(_, one)| one);
+        let trees = vec![Tree::new(of.clone(), ranks.rank(), own)];
+        ranks.sums(2, trees, plus).pop().unwrap_or_default()
+    }
+
     /// What is seen at a state, from the forces just evaluated there, what parts remember and what was probed.
     pub(super) fn snapshot(&self, state: &State, kept: Kept, probed: Probed) -> Snapshot {
         let Forces { contributions, rates, works, .. } = &self.forces;
-        let Measured { kinetic, scheme, books, velocity, acceleration } =
+        let Measured { energies, books, velocity, acceleration } =
             nodes::measure(&self.model, &self.phase, contributions, &rates.products, state);
+        let [kinetic, scheme] = self.of_blocks(energies);
         let ledger = &state.ledger;
-        let before = self.booked((0..).zip(ledger.members.iter().copied()), &ledger.blocks);
-        let active = self.phase.active.iter().copied();
-        let now = self.booked(active.zip(works.iter().copied()), &books);
+        let before = self.booked_before(ledger);
+        let mut works = works.iter().copied();
+        let now =
+            self.booked(self.phase.active.iter().copied(), |_| works.next().unwrap_or_default(), &books);
         let (held, bodies) = self.held(state, kept, &probed.energy);
         let (given, given_bodies) = self.given(state, |_| true);
         let mut balance = Lines::default();
@@ -132,7 +194,7 @@ impl Engine {
                 BodyBooks { work, held }
             })
             .collect();
-        let moving = guard::kinetic(&self.model, &self.phase, state);
+        let moving = self.kinetic(state);
         let stored = Line::ALL.iter().filter(|line| line.booked() == Booked::Stored);
         Snapshot {
             step: state.steps(),

@@ -8,7 +8,6 @@ use super::relax::{Relaxed, Release, Rest, Watch};
 use crate::contacts::LoadedPair;
 use crate::phase::Phase;
 use crate::state::{Relaxing, State};
-use crate::sums::over_nodes;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use tremolite_laws::Row;
@@ -28,12 +27,14 @@ impl Engine {
         let Ok(phase) = Phase::bonded(&self.model, &self.assembly) else {
             return self.come_to_rest(state, release, watch);
         };
-        let mut bonded = Engine::new(&self.model, &self.assembly, &phase);
+        let mut bonded = Engine::among(&self.model, &self.assembly, &phase, self.ranks.as_ref());
         bonded.poisoned = self.poisoned;
         let bonded = bonded.come_to_rest(state, release, watch);
         let Relaxed::AtRest(rest) = bonded else { return bonded };
+        self.whole(state);
         state.relaxing = Relaxing { freed: 1, ..Relaxing::default() };
         self.free_loaded(state);
+        self.own(state);
         self.evaluate_at(state, None);
         if self.out_of_balance() <= SHARED * release.tolerance[0] {
             return bonded;
@@ -59,7 +60,7 @@ impl Engine {
             }
             sums
         };
-        let [unbalanced, whole] = over_nodes(&self.model.nodes, one, |a, b| [a[0] + b[0], a[1] + b[1]]);
+        let [unbalanced, whole] = self.over_nodes(2, one, |a, b| [a[0] + b[0], a[1] + b[1]]);
         if whole > 0.0 { unbalanced / whole } else { 0.0 }
     }
 
@@ -77,9 +78,13 @@ impl Engine {
                 links.push(Link { seam: s, loaded: *loaded, nodes, area: pair.normal_area, more: [0.0; 3] });
             }
         }
+        let mut nodes: Vec<u32> = links.iter().flat_map(|link| link.nodes).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let out = self.at_nodes(&nodes, 4, |k| force(phase, &forces.contributions, nodes[k] as usize));
         for i in 0..3 {
             let free = |n: u32| phase.inverse_mass[n as usize].0[i] > 0.0;
-            let out = |n: u32| force(phase, &forces.contributions, n as usize).0[i];
+            let out = |n: u32| nodes.binary_search(&n).map_or(0.0, |k| out[k].0[i]);
             let open: Vec<usize> =
                 (0..links.len()).filter(|&k| links[k].nodes.iter().all(|&n| free(n))).collect();
             let edges: Vec<([u32; 2], f64)> = open.iter().map(|&k| (links[k].nodes, links[k].area)).collect();

@@ -10,8 +10,13 @@ impl Engine {
     /// Brings the phase's driven nodes to this share of their way, from [`State::start`] on. What they gained times the forces
     /// last evaluated \[J\].
     pub(super) fn move_driven(&self, state: &mut State, way: f64) -> f64 {
-        let mut work = 0.0;
-        for moved in &self.phase.driven {
+        let driven = &self.phase.driven;
+        if driven.is_empty() {
+            return 0.0;
+        }
+        let mut works = vec![[0.0; 3]; driven.len()];
+        let held = driven.iter().zip(&mut works).filter(|(moved, _)| self.phase.holds(moved.node));
+        for (moved, works) in held {
             let node = moved.node as usize;
             let force = force(&self.phase, &self.forces.contributions, node);
             let zero = state.datum.get(node).copied().unwrap_or(Row::ZERO);
@@ -24,10 +29,16 @@ impl Engine {
                 let gained = next - state.u[node].0[i];
                 state.u[node].0[i] = next;
                 state.du[node].0[i] = gained;
-                work += gained * force.0[i];
+                works[i] = gained * force.0[i];
             }
         }
-        work
+        let nodes: Vec<u32> = driven.iter().map(|moved| moved.node).collect();
+        let works = self.at_nodes(&nodes, 3, |k| works[k]);
+        let mut sum = 0.0;
+        for (moved, works) in driven.iter().zip(works) {
+            (0..3).filter(|&i| moved.to[i].is_some()).for_each(|i| sum += works[i]);
+        }
+        sum
     }
 
     /// The phase's stage.
@@ -40,8 +51,14 @@ impl Engine {
     pub fn reactions(&mut self, state: &State) -> Vec<[f64; 3]> {
         self.evaluate_copies(state, None);
         let mut reactions = vec![[0.0; 3]; self.model.boundaries.prescribed.len()];
-        for moved in &self.phase.driven {
-            let force = force(&self.phase, &self.forces.contributions, moved.node as usize);
+        let driven = &self.phase.driven;
+        if driven.is_empty() {
+            return reactions;
+        }
+        let nodes: Vec<u32> = driven.iter().map(|moved| moved.node).collect();
+        let now = |k: usize| force(&self.phase, &self.forces.contributions, nodes[k] as usize);
+        let forces = self.at_nodes(&nodes, 4, now);
+        for (moved, force) in driven.iter().zip(forces) {
             let reaction = &mut reactions[moved.by as usize];
             (0..3).filter(|&i| moved.to[i].is_some()).for_each(|i| reaction[i] += force.0[i]);
         }

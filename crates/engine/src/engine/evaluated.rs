@@ -2,6 +2,7 @@
 
 use super::evaluation::{Forces, Probed};
 use super::{Engine, Snapshot, nodes};
+use crate::exchange::To;
 use crate::model::Model;
 use crate::parts::Kept;
 use crate::phase::Phase;
@@ -71,20 +72,47 @@ pub struct Look {
 }
 
 impl Engine {
-    /// Evaluates all active parts at a state, and sees what is wished of it.
+    /// Evaluates all active parts at a state, and sees what is wished of it. Of several ranks the first alone sees nodes, elements and what parts
+    /// remember; the others of these what is their own, and numbers of the model as a whole.
     pub fn evaluate(&mut self, mut state: State, see: See) -> Evaluated {
         let mut probed =
             (see != See::Nothing).then(|| Probed { glance: see == See::Glance, ..Probed::default() });
         self.evaluate_at(&mut state, probed.as_mut());
-        let snapshot = probed.map(|probed| match see {
-            See::Glance => {
+        let snapshot = probed.map(|mut probed| {
+            if see == See::Glance {
+                self.gather_glanced(&mut probed.stress);
                 let (step, time) = (state.steps(), state.time());
-                Snapshot { step, time, stress: probed.stress, energy: probed.energy, ..Snapshot::default() }
+                let Probed { stress, energy, .. } = probed;
+                return Snapshot { step, time, stress, energy, ..Snapshot::default() };
             }
-            _ => self.snapshot(&state, state.kept(), probed),
+            let mut snapshot = self.snapshot(&state, state.kept(), probed);
+            let State { history, numbers, .. } = &mut state;
+            self.gather(&mut snapshot, history, numbers, To::First);
+            snapshot
         });
         let (model, phase) = (self.model.clone(), self.phase.clone());
         Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot }
+    }
+
+    /// Brings the stresses of a glance together on the first rank.
+    fn gather_glanced(&self, stress: &mut [[f64; 6]]) {
+        if let Engine { assembly, glanced, ranks: Some(ranks), .. } = self {
+            let only = |m: u32| glanced.contains(&m);
+            ranks.some_members(assembly, only, stress, 6, |s| s.points.clone(), To::First);
+        }
+    }
+
+    /// Brings together what was seen by several ranks.
+    fn gather(&self, snapshot: &mut Snapshot, history: &mut [Octet], numbers: &mut [f64], to: To) {
+        let Engine { model, assembly, ranks: Some(ranks), .. } = self else { return };
+        let Snapshot { displacement, velocity, acceleration, stress, energy, .. } = snapshot;
+        for rows in [displacement, velocity, acceleration] {
+            ranks.nodes(model, rows, to);
+        }
+        ranks.members(assembly, stress, 6, |s| s.points.clone(), to);
+        ranks.members(assembly, energy, 5, |s| s.elements.clone(), to);
+        ranks.members(assembly, history, 8, |s| s.history.clone(), to);
+        ranks.members(assembly, numbers, 1, |s| s.numbers.clone(), to);
     }
 
     /// Goes on from u^n to u^{n+1}.
@@ -111,12 +139,13 @@ impl Engine {
         snapshot
     }
 
-    /// What is seen at a state, which is left as it is: parts are evaluated on copies of their memory.
+    /// What is seen at a state, which is left as it is: parts are evaluated on copies of their memory. All ranks see it whole.
     pub fn look(&mut self, state: &State) -> Look {
         let mut probed = Probed::default();
-        let (history, numbers) = self.evaluate_copies(state, Some(&mut probed));
+        let (mut history, mut numbers) = self.evaluate_copies(state, Some(&mut probed));
         let kept = Kept { history: &history, numbers: &numbers, ..state.kept() };
-        let snapshot = self.snapshot(state, kept, probed);
+        let mut snapshot = self.snapshot(state, kept, probed);
+        self.gather(&mut snapshot, &mut history, &mut numbers, To::All);
         Look { snapshot, history, numbers }
     }
 }

@@ -13,6 +13,8 @@ use crate::state::State;
 use rayon::prelude::*;
 use std::borrow::Cow;
 use std::cell::RefCell;
+use std::collections::HashSet;
+use std::time::Instant;
 use tremolite_kernels::Lines;
 use tremolite_laws::{Octet, Row};
 
@@ -74,6 +76,13 @@ enum Memory<'m, T> {
 }
 
 impl<'m, T: Clone> Memory<'m, T> {
+    fn again(&mut self) -> Memory<'_, T> {
+        match self {
+            Memory::Own(own) => Memory::Own(own),
+            Memory::Foreign(all) => Memory::Foreign(all),
+        }
+    }
+
     fn each(
         self,
         slices: &[&Slices],
@@ -156,50 +165,114 @@ impl Engine {
     }
 
     fn rates_at(&mut self, state: &State, kept: Kept) {
-        let Engine { model, assembly, phase, forces, .. } = self;
-        forces.rates.update(model, assembly, phase, &forces.contributions, state, kept);
+        let Engine { model, assembly, phase, forces, ranks, .. } = self;
+        forces.rates.update(model, assembly, phase, &forces.contributions, state, kept, ranks.as_deref());
     }
 
     fn parts_at(&mut self, subject: Subject, probed: Option<&mut Probed>) {
-        let Engine { model, assembly, phase, forces, poisoned, glanced, .. } = self;
+        let Engine { model, assembly, phase, forces, poisoned, glanced, ranks, .. } = self;
         if forces.contributions.is_empty() {
             *forces = Forces::room(model, assembly, phase);
         }
         let poisoned = *poisoned;
-        let beat = phase.beat(subject.state());
+        let number = phase.beat_number(subject.state());
+        let beat = &phase.beats[number];
         let mut tick = phase.tick(subject.state());
         if self.quiet {
             tick.time = -f64::MIN_POSITIVE;
         }
-        let active = &beat.active;
-        let slices: Vec<&Slices> = active.iter().map(|&m| &assembly.slices[m as usize]).collect();
-        let slices = &slices[..];
         let totals = assembly.totals();
-        let glance = probed.as_ref().is_some_and(|probed| probed.glance);
-        let mut probes = probed.map(|probed| {
-            let unknown = if glance { f64::NAN } else { 0.0 };
-            probed.stress = vec![[unknown; 6]; totals.points.end];
-            probed.energy = vec![ElementEnergy::default(); totals.elements.end];
-            let stress = split(&mut probed.stress, slices, |s| s.points.clone());
-            let energy = split(&mut probed.energy, slices, |s| s.elements.clone());
-            stress.into_iter().zip(energy).map(|(stress, energy)| ProbeOut { stress, energy })
+        let mut probes = probed.map(|Probed { stress, energy, glance }| {
+            let unknown = if *glance { f64::NAN } else { 0.0 };
+            *stress = vec![[unknown; 6]; totals.points.end];
+            *energy = vec![ElementEnergy::default(); totals.elements.end];
+            Probes { out: ProbeOut { stress, energy }, only: glance.then_some(&*glanced) }
         });
-        let (u, du, history, overstress, numbers, reference, initial) = match subject {
+        let mut columns = Columns::of(subject);
+        let Some((ranks, ours)) = ranks.as_ref().zip(phase.ours.as_ref()) else {
+            let contributions = &mut forces.contributions;
+            let jobs = columns.jobs(assembly, &beat.active, contributions, probes.as_mut());
+            forces.works = evaluate_all(phase, tick, jobs, poisoned);
+            return;
+        };
+        // What others wait for first.
+        let slots = &ours.halos[number];
+        let some = |wanted: bool| -> Vec<u32> {
+            let all = beat.active.iter().zip(&slots.early);
+            all.filter(|(_, early)| **early == wanted).map(|(&m, _)| m).collect()
+        };
+        let begin = Instant::now();
+        let [mut early, mut late] = [true, false].map(|wanted| {
+            let contributions = &mut forces.contributions;
+            let jobs = columns.jobs(assembly, &some(wanted), contributions, probes.as_mut());
+            let works = evaluate_all(phase, tick, jobs, poisoned);
+            if wanted {
+                ranks.start(slots, contributions);
+            }
+            works.into_iter()
+        });
+        let works = slots.early.iter().filter_map(|&is| if is { early.next() } else { late.next() });
+        forces.works = works.collect();
+        ranks.tally.worked(begin.elapsed());
+        ranks.finish(slots, &mut forces.contributions);
+    }
+}
+
+/// Where members leave what a probe sees, and which alone are probed, if not all.
+struct Probes<'p> {
+    out: ProbeOut<'p>,
+    only: Option<&'p HashSet<u32>>,
+}
+
+/// What parts read and write of a subject.
+struct Columns<'c> {
+    u: &'c [Row],
+    du: &'c [Row],
+    history: &'c mut [Octet],
+    overstress: Memory<'c, Octet>,
+    numbers: &'c mut [f64],
+    reference: Memory<'c, Row>,
+    initial: &'c [Octet],
+}
+
+impl<'c> Columns<'c> {
+    fn of(subject: Subject<'c>) -> Self {
+        match subject {
             Subject::State(State { u, du, history, overstress, numbers, reference, initial, .. }) => {
                 let (overstress, reference) = (Memory::Own(overstress), Memory::Own(reference));
-                (&*u, &*du, &mut history[..], overstress, &mut numbers[..], reference, &*initial)
+                Columns { u, du, history, overstress, numbers, reference, initial }
             }
             Subject::Copies { state, history, numbers } => {
                 let State { u, du, overstress, reference, initial, .. } = state;
-                (u, du, history, Memory::Foreign(overstress), numbers, Memory::Foreign(reference), initial)
+                let (overstress, reference) = (Memory::Foreign(overstress), Memory::Foreign(reference));
+                Columns { u, du, history, overstress, numbers, reference, initial }
             }
-        };
-        let jobs: Vec<Job> = split(&mut forces.contributions, slices, |s| s.contributions.clone())
+        }
+    }
+
+    /// Some members, ascending, with what each alone reads and writes.
+    fn jobs<'j>(
+        &'j mut self,
+        assembly: &'j Assembly,
+        active: &[u32],
+        contributions: &'j mut [Row],
+        probes: Option<&'j mut Probes>,
+    ) -> (Motion<'j>, Vec<Job<'j>>) {
+        let slices: Vec<&Slices> = active.iter().map(|&m| &assembly.slices[m as usize]).collect();
+        let slices = &slices[..];
+        let only = probes.as_ref().and_then(|probes| probes.only);
+        let mut probes = probes.map(|Probes { out, .. }| {
+            let stress = split(out.stress, slices, |s| s.points.clone());
+            let energy = split(out.energy, slices, |s| s.elements.clone());
+            stress.into_iter().zip(energy).map(|(stress, energy)| ProbeOut { stress, energy })
+        });
+        let Columns { u, du, history, overstress, numbers, reference, initial } = self;
+        let jobs = split(contributions, slices, |s| s.contributions.clone())
             .into_iter()
             .zip(split(history, slices, |s| s.history.clone()))
-            .zip(overstress.each(slices, |s| s.overstress.clone()))
+            .zip(overstress.again().each(slices, |s| s.overstress.clone()))
             .zip(split(numbers, slices, |s| s.numbers.clone()))
-            .zip(reference.each(slices, |s| s.reference.clone()))
+            .zip(reference.again().each(slices, |s| s.reference.clone()))
             .zip(active.iter().zip(slices))
             .map(|(((((out, history), overstress), numbers), reference), (&m, slices))| Job {
                 member: &assembly.members[m as usize],
@@ -209,26 +282,31 @@ impl Engine {
                 numbers,
                 reference,
                 initial: &initial[slices.initial.clone()],
-                probe: probes.as_mut().and_then(Iterator::next).filter(|_| !glance || glanced.contains(&m)),
+                probe: probes
+                    .as_mut()
+                    .and_then(Iterator::next)
+                    .filter(|_| only.is_none_or(|only| only.contains(&m))),
             })
             .collect();
-        // One by one: members differ in cost, and half of what is left would be too much to hand over at the end.
-        let works: Vec<Lines> = jobs
-            .into_par_iter()
-            .with_max_len(1)
-            .map(|job| {
-                // Taken, not borrowed: a part that goes parallel itself may be given another on this very thread.
-                let mut room = ROOM.take();
-                let span = phase.span_of(job.member);
-                let tick = Tick { step: tick.step / span, dt: span as f64 * tick.dt, ..tick };
-                let span = span as f64;
-                let work = evaluate(job, &tick, &Motion { u, du, span }, &mut room, poisoned);
-                ROOM.set(room);
-                work
-            })
-            .collect();
-        forces.works = works;
+        (Motion::new(u, du), jobs)
     }
+}
+
+/// Evaluates parts side by side, and gives the work of each.
+fn evaluate_all(phase: &Phase, tick: Tick, (motion, jobs): (Motion, Vec<Job>), poisoned: bool) -> Vec<Lines> {
+    // One by one: members differ in cost, and half of what is left would be too much to hand over at the end.
+    jobs.into_par_iter()
+        .with_max_len(1)
+        .map(|job| {
+            // Taken, not borrowed: a part that goes parallel itself may be given another on this very thread.
+            let mut room = ROOM.take();
+            let span = phase.span_of(job.member);
+            let tick = Tick { step: tick.step / span, dt: span as f64 * tick.dt, ..tick };
+            let work = evaluate(job, &tick, &Motion { span: span as f64, ..motion }, &mut room, poisoned);
+            ROOM.set(room);
+            work
+        })
+        .collect()
 }
 
 /// Evaluates one part; all but what it names is poisoned for it if so wished.

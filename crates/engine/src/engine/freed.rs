@@ -58,6 +58,9 @@ impl Engine {
         }
         for (s, k) in freed {
             let (seam, contacts) = (&model.seams[s], &assembly.contacts[s]);
+            if !self.has(contacts.member_of(k)) {
+                continue;
+            }
             let latest = beside(s, k).map(|face| born(face.element)).max();
             let reads = &assembly.members[contacts.member_of(k)].reads.elements;
             let stress = |face: Face| {

@@ -42,16 +42,17 @@ pub(super) fn noise(model: &Model, phase: &Phase) -> f64 {
     NOISE * 0.5 * over_nodes(&model.nodes, one, |a, b| a + b) * square
 }
 
-/// ½v⁻ᵀMv⁻ \[J\]. That of v̂ has in it what the forces are about to do, which is not supplied yet.
-pub(super) fn kinetic(model: &Model, phase: &Phase, state: &State) -> f64 {
-    let square = |n: usize| state.du[n].0.iter().map(|d| d * d).sum::<f64>() / (state.dt * state.dt);
-    let one = |nodes: Range<usize>| -> f64 {
-        nodes.filter(|&n| model.nodes.counts(n)).map(|n| 0.5 * phase.mass[n] * square(n)).sum()
-    };
-    over_nodes(&model.nodes, one, |a, b| a + b)
-}
-
 impl Engine {
+    /// ½v⁻ᵀMv⁻ \[J\]. That of v̂ has in it what the forces are about to do, which is not supplied yet.
+    pub(super) fn kinetic(&self, state: &State) -> f64 {
+        let Engine { model, phase, .. } = self;
+        let square = |n: usize| state.du[n].0.iter().map(|d| d * d).sum::<f64>() / (state.dt * state.dt);
+        let one = |nodes: Range<usize>| -> f64 {
+            nodes.filter(|&n| model.nodes.counts(n)).map(|n| 0.5 * phase.mass[n] * square(n)).sum()
+        };
+        self.over_nodes(1, one, |a, b| a + b)
+    }
+
     /// Whether the guard watches a state: every few steps, whatever is looked at and when.
     pub fn watches(&self, state: &State) -> bool {
         state.steps().is_multiple_of(EVERY)
@@ -64,7 +65,7 @@ impl Engine {
     /// # Errors
     /// The halt, if not.
     pub fn watch(&self, state: &State) -> Result<(), Halt> {
-        let (found, supplied) = (kinetic(&self.model, &self.phase, state), state.ledger.supplied);
+        let (found, supplied) = (self.kinetic(state), state.ledger.supplied);
         // Written so that what is not a number halts as well.
         match found <= GUARD * (supplied + self.noise) {
             true => Ok(()),

@@ -20,6 +20,7 @@ const ROUND_OFF: f64 = 1e-12;
 impl Engine {
     /// Begins the shaking with steps of `dt` \[s\] where a state rests: displacements and the balance count from here.
     pub fn hand_over(&mut self, state: &mut State, dt: f64) {
+        self.whole(state);
         state.begin(dt);
         state.held = Vec::new();
         state.carried = Vec::new();
@@ -50,13 +51,14 @@ impl Engine {
         state.ledger = ledger;
         state.held = (0..state.u.len()).map(|n| force(&self.phase, &self.forces.contributions, n)).collect();
         self.settle(state);
+        self.own(state);
     }
 
     /// Forces \[N\] of the elements' stabilisation at the displacements last evaluated, where the points had these stresses.
     fn stabilisation(&self, stress: &[[f64; 6]]) -> Vec<Row> {
         let mut all = vec![Row::ZERO; self.forces.contributions.len()];
         let mut scratch = Scratch::default();
-        for &m in &self.phase.active {
+        for &m in self.phase.members() {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
             if member.part.elements().0 == 0 {
                 continue;
@@ -72,7 +74,7 @@ impl Engine {
 
     /// Tells all active parts that their own books count from here.
     fn settle(&self, state: &mut State) {
-        for &m in &self.phase.active {
+        for &m in self.phase.members() {
             let slices = &self.assembly.slices[m as usize];
             self.assembly.members[m as usize].part.settle(slices.own(state).1);
         }
@@ -82,10 +84,9 @@ impl Engine {
     /// `wanted`, and by account.
     pub(super) fn given(&self, state: &State, wanted: impl Fn(Line) -> bool) -> (Lines, Vec<Lines>) {
         if state.carried.is_empty() {
-            return self.added(std::iter::empty());
+            return (Lines::default(), vec![Lines::default(); self.assembly.accounts.len()]);
         }
-        let counted = self.phase.active.iter().filter(|&&m| self.assembly.members[m as usize].counted);
-        self.added(counted.map(|&m| {
+        self.added(self.counted(), |m| {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
             let work = |carried: &[Row]| -> f64 {
                 let own = carried[slices.contributions.clone()].iter().zip(member.part.nodes());
@@ -94,15 +95,15 @@ impl Engine {
             let mut own = Lines::default();
             if member.part.elements().0 > 0 {
                 if !wanted(Line::Strain) {
-                    return (m, own, Lines::default());
+                    return [own, Lines::default()];
                 }
                 own[Line::Hourglass] = work(&state.carried_hourglass);
                 own[Line::Strain] = work(&state.carried) - own[Line::Hourglass];
             } else if let Some(line) = member.line.filter(|&line| wanted(line)) {
                 own[line] = work(&state.carried);
             }
-            (m, own, Lines::default())
-        }))
+            [own, Lines::default()]
+        })
     }
 
     /// Steps of the shaking without motion on a copy of a state: the largest displacement \[m\] that comes of it.
@@ -113,12 +114,18 @@ impl Engine {
             self.step(&mut copy);
         }
         self.quiet = false;
-        let moved = copy.u.iter().zip(&state.u).map(|(a, b)| {
+        let held = copy.u.iter().zip(&state.u).enumerate().filter(|(n, _)| self.phase.holds(*n as u32));
+        let moved = held.map(|(_, (a, b))| {
             let d = Row([0, 1, 2, 3].map(|i| a.0[i] - b.0[i]));
             dot(d, d).sqrt()
         });
         // A displacement that is no number is the largest.
-        moved.fold(0.0, |most: f64, d| if d <= most { most } else { d })
+        let largest = |most: f64, d: f64| if d <= most { most } else { d };
+        let moved = moved.fold(0.0, largest);
+        match &self.ranks {
+            None => moved,
+            Some(ranks) => ranks.each(moved).into_iter().fold(0.0, largest),
+        }
     }
 
     /// Tells all active parts that the phase's stage begins.
@@ -142,7 +149,7 @@ impl Engine {
             element = *later.get(&element)?;
         };
         let u = state.u.clone();
-        for &m in &phase.active {
+        for &m in phase.members() {
             let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
             // What a member did not name it cannot know.
             let stress = |element: u32| match member.reads.elements.binary_search(&element) {
@@ -163,7 +170,7 @@ impl Engine {
             let rows = [Some(&mut state.u), Some(&mut state.datum).filter(|datum| !datum.is_empty())];
             rows.into_iter().flatten().for_each(|rows| rows[*node as usize] = mean(rows, others));
         }
-        for &m in &phase.active {
+        for &m in phase.members() {
             let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
             if member.life.born != phase.stage || !member.life.is_later() {
                 continue;

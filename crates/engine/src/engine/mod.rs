@@ -62,14 +62,21 @@ pub use relax::{Relaxed, Release, Rest, Watch};
 pub use snapshot::{BodyBooks, Snapshot};
 
 use crate::assembly::Assembly;
+use crate::exchange::To;
 use crate::model::Model;
 use crate::phase::Phase;
+use crate::ranks::Ranks;
+use crate::ranks::{Tree, Words};
 use crate::state::State;
+use crate::sums::over_nodes;
 use evaluation::Forces;
+use rayon::prelude::*;
 use std::collections::HashSet;
+use std::ops::Range;
 use std::sync::Arc;
 
-/// The engine for a phase of a model, on one machine. It shares them and owns nothing but room: a state is given to it.
+/// The engine for a phase of a model, in one process or on one of several ranks. It shares them and owns nothing but room: a state is given
+/// to it. On several ranks all of them call the same functions in the same order.
 pub struct Engine {
     model: Arc<Model>,
     assembly: Arc<Assembly>,
@@ -84,6 +91,8 @@ pub struct Engine {
     poisoned: bool,
     /// Members whose stresses a glance shows.
     glanced: HashSet<u32>,
+    /// The rank that it is, where several work on the model.
+    ranks: Option<Arc<Ranks>>,
 }
 
 impl Engine {
@@ -95,10 +104,73 @@ impl Engine {
             noise: guard::noise(model, phase),
             poisoned: false,
             glanced: HashSet::new(),
+            ranks: None,
             model: model.clone(),
             assembly: assembly.clone(),
             phase: phase.clone(),
         }
+    }
+
+    /// An engine for what a rank has of a phase, if there are several: a state is then known to it as far as that goes, and [made
+    /// whole](Engine::whole) where somebody wants it.
+    pub fn among(
+        model: &Arc<Model>,
+        assembly: &Arc<Assembly>,
+        phase: &Arc<Phase>,
+        ranks: Option<&Arc<Ranks>>,
+    ) -> Self {
+        match ranks {
+            None => Engine::new(model, assembly, phase),
+            Some(ranks) => {
+                let own = ranks.phase(model, assembly, phase);
+                Engine { ranks: Some(ranks.clone()), ..Engine::new(model, assembly, &own) }
+            }
+        }
+    }
+
+    /// Makes a state whole on all ranks, if there are several.
+    pub fn whole(&self, state: &mut State) {
+        if let Some(ranks) = &self.ranks {
+            ranks.whole(&self.model, &self.assembly, state, To::All);
+        }
+    }
+
+    /// Forgets what others have of a state, where ranks are poisoned.
+    pub fn own(&self, state: &mut State) {
+        if let Some(ranks) = &self.ranks {
+            ranks.poison(&self.assembly, &self.phase, state);
+        }
+    }
+
+    /// The sum over all nodes of what `one` finds in a block of them.
+    fn over_nodes<T: Words + Default + Send>(
+        &self,
+        width: usize,
+        one: impl Fn(Range<usize>) -> T + Sync,
+        plus: impl Fn(T, T) -> T,
+    ) -> T {
+        let nodes = &self.model.nodes;
+        let Some(ranks) = &self.ranks else { return over_nodes(nodes, one, plus) };
+        let of = &ranks.division.of_block;
+        let own: Vec<_> = nodes.blocks.iter().zip(of).filter(|(_, of)| **of == ranks.rank()).collect();
+        let own: Vec<T> = own.into_par_iter().map(|(block, _)| one(block.nodes.clone())).collect();
+        let tree = Tree::new(of.clone(), ranks.rank(), own);
+        ranks.sums(width, vec![tree], plus).pop().unwrap_or_default()
+    }
+
+    /// What some nodes have, for all: found, by place in the list, by who adds up there.
+    fn at_nodes<T: Words>(&self, nodes: &[u32], width: usize, one: impl Fn(usize) -> T) -> Vec<T> {
+        let Some(ranks) = &self.ranks else { return (0..nodes.len()).map(one).collect() };
+        let block = |n: u32| self.model.nodes.blocks.partition_point(|block| block.nodes.end <= n as usize);
+        let of: Vec<u32> = nodes.iter().map(|&n| ranks.division.of_block[block(n)]).collect();
+        let own = (0..nodes.len()).filter(|&k| of[k] == ranks.rank());
+        let own: Vec<T> = own.map(one).collect();
+        ranks.rows(&of, &own, width)
+    }
+
+    /// Whether this process evaluates a member.
+    fn has(&self, member: usize) -> bool {
+        self.ranks.as_ref().is_none_or(|ranks| ranks.division.of_member[member] == ranks.rank())
     }
 
     /// From now on everything that a part did not name among its nodes or in [`Part::reads`](crate::parts::Part::reads) is not a

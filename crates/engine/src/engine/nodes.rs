@@ -10,7 +10,6 @@ use crate::phase::Phase;
 use crate::phase::beats::{Beat, Border, Drifting, span};
 use crate::phase::passes::{Pass, Turn};
 use crate::state::{OF_NODES, State};
-use crate::sums::tree;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -419,10 +418,9 @@ impl Advance<'_> {
 /// What is measured over the nodes that count.
 #[derive(Default)]
 pub struct Measured {
-    /// Of v̂ \[J\].
-    pub kinetic: f64,
-    /// ⅛Δt²aᵀMa: by so much ½v̂ᵀMv̂ exceeds the kinetic energy that the scheme conserves.
-    pub scheme: f64,
+    /// By block that was measured, ascending: the kinetic energy of v̂ \[J\], and ⅛Δt²aᵀMa, by so much ½v̂ᵀMv̂ exceeds the kinetic energy that the
+    /// scheme conserves.
+    pub energies: Vec<(usize, [f64; 2])>,
     /// What the first half of the step at u^n would book, as [`crate::state::Ledger::blocks`] does.
     pub books: Vec<f64>,
     /// v̂ and dv/dt by engine node.
@@ -505,7 +503,5 @@ pub fn measure(
     }
     let mut energies: Vec<(usize, [f64; 2])> = found.into_iter().flatten().collect();
     energies.sort_unstable_by_key(|(block, _)| *block);
-    let energies = energies.into_iter().map(|(_, energies)| energies).collect();
-    let [kinetic, scheme] = tree(energies, |a: [f64; 2], b| [a[0] + b[0], a[1] + b[1]]);
-    Measured { kinetic, scheme, books, velocity, acceleration }
+    Measured { energies, books, velocity, acceleration }
 }

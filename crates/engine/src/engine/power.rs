@@ -168,7 +168,7 @@ fn highest(model: &Model, assembly: &Assembly, phase: &Phase, product: Product, 
     let mut kw = vec![Row::ZERO; w.len()];
     let (mut lambda, mut change, mut iterations) = (0.0, f64::INFINITY, 0);
     while iterations < ITERATIONS && change > CONVERGED {
-        product::times(assembly, phase, product, w, &mut contributions, &mut kw);
+        product::times(assembly, phase, product, w, &mut contributions, &mut kw, None);
         let [wkw, wmw] = products(model, phase, w, &kw);
         let quotient = wkw / wmw;
         change = ((quotient - lambda) / quotient).abs();

@@ -4,6 +4,7 @@ use super::gather::force;
 use crate::assembly::Assembly;
 use crate::parts::{Kept, Scratch};
 use crate::phase::Phase;
+use crate::ranks::Ranks;
 use rayon::prelude::*;
 use tremolite_laws::Row;
 
@@ -18,7 +19,8 @@ pub enum Product<'s> {
     Damping(&'s [Row], Kept<'s>),
 }
 
-/// The product by engine node of all active parts, added up in the order of parts; a tied node's share is its master's.
+/// The product by engine node of all active parts, added up in the order of parts; a tied node's share is its master's. On a rank, of
+/// the nodes that it moves.
 pub fn times(
     assembly: &Assembly,
     phase: &Phase,
@@ -26,10 +28,11 @@ pub fn times(
     w: &[Row],
     contributions: &mut [Row],
     out: &mut [Row],
+    ranks: Option<&Ranks>,
 ) {
     let mut rest = &mut *contributions;
     let mut jobs: Vec<(u32, &mut [Row])> = Vec::with_capacity(phase.active.len());
-    let mut active = phase.active.iter().copied().peekable();
+    let mut active = phase.members().iter().copied().peekable();
     for (m, member) in (0u32..).zip(&assembly.members) {
         let (own, after) = std::mem::take(&mut rest).split_at_mut(member.part.nodes().len());
         rest = after;
@@ -57,6 +60,17 @@ pub fn times(
             }
         }
     });
+    // With ξ, which alone asks for this on several ranks, all have one level.
+    if let Some((ranks, ours)) = ranks.zip(phase.ours.as_ref()) {
+        for slots in &ours.halos {
+            ranks.start(slots, contributions);
+            ranks.finish(slots, contributions);
+        }
+    }
     let contributions = &*contributions;
-    out.par_iter_mut().enumerate().for_each(|(node, out)| *out = force(phase, contributions, node));
+    out.par_iter_mut().enumerate().for_each(|(node, out)| {
+        if phase.holds(node as u32) {
+            *out = force(phase, contributions, node);
+        }
+    });
 }

@@ -7,6 +7,7 @@ use crate::assembly::Assembly;
 use crate::model::Model;
 use crate::parts::Kept;
 use crate::phase::Phase;
+use crate::ranks::Ranks;
 use crate::state::State;
 use tremolite_laws::Row;
 
@@ -41,6 +42,7 @@ impl Rates {
         contributions: &[Row],
         state: &State,
         kept: Kept,
+        ranks: Option<&Ranks>,
     ) {
         if model.scheme.rayleigh.stiffness == 0.0 {
             return;
@@ -50,9 +52,9 @@ impl Rates {
             *v = Row(du.0.map(|d| d / state.dt));
         }
         let damping = Product::Damping(&state.u, kept);
-        product::times(assembly, phase, damping, velocity, own, &mut products.minus);
+        product::times(assembly, phase, damping, velocity, own, &mut products.minus, ranks);
         // Tied nodes move as their masters, of which alone v̂ is worked out.
         *velocity = measure(model, phase, contributions, products, state).velocity;
-        product::times(assembly, phase, damping, velocity, own, &mut products.hat);
+        product::times(assembly, phase, damping, velocity, own, &mut products.hat, ranks);
     }
 }

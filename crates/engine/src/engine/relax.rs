@@ -29,8 +29,9 @@ use crate::assembly::Assembly;
 use crate::hexahedra::hex;
 use crate::life::Stage;
 use crate::model::Model;
-use crate::node_table::Domain;
+use crate::node_table::{Block, Domain};
 use crate::phase::Phase;
+use crate::ranks::{Tree, Words};
 use crate::state::{Relaxing, State};
 use crate::sums::tree;
 use rayon::prelude::*;
@@ -144,6 +145,48 @@ impl Sums {
     }
 }
 
+impl Sums {
+    const WIDTH: usize = 10;
+}
+
+impl Words for Sums {
+    fn put(&self, words: &mut Vec<f64>) {
+        let Sums {
+            unbalanced,
+            unreleased,
+            contributions,
+            work,
+            inertia,
+            next_work,
+            damped,
+            step,
+            fastest,
+            motion,
+        } = *self;
+        let sums = [unbalanced, unreleased, contributions, work, inertia, next_work, damped];
+        words.extend(sums);
+        words.extend([step, f64::from(fastest), motion]);
+    }
+
+    fn take(words: &[f64]) -> Self {
+        let [unbalanced, unreleased, contributions, work, inertia, next_work, damped, step, fastest, motion] =
+            Words::take(words);
+        let fastest = fastest as u32;
+        Sums {
+            unbalanced,
+            unreleased,
+            contributions,
+            work,
+            inertia,
+            next_work,
+            damped,
+            step,
+            fastest,
+            motion,
+        }
+    }
+}
+
 fn length(row: Row) -> f64 {
     dot(row, row).sqrt()
 }
@@ -223,6 +266,8 @@ impl Engine {
     ) -> Relaxed {
         let masses = masses(&self.model, &self.assembly, &self.phase);
         if state.relaxing.cycle == 0 {
+            // Who begins takes over from others, or follows other nodes than before.
+            self.whole(state);
             self.wake(state);
             self.enter(state);
             self.evaluate_at(state, None);
@@ -235,6 +280,7 @@ impl Engine {
             state.du.fill(Row::ZERO);
             state.relaxing = Relaxing { cycle: 1, freed, ..Relaxing::default() };
         }
+        self.own(state);
         let mut rest = Rest::default();
         loop {
             if !watch(state, &rest) {
@@ -279,11 +325,22 @@ impl Engine {
             }
             *cycle += 1;
             if state.relaxing.cycle.is_multiple_of(LOOK)
-                && let Some(element) = strained::torn(&self.model, &self.assembly, &self.phase, state)
+                && let Some(element) = self.torn(state)
             {
                 return Relaxed::Torn(rest, element);
             }
         }
+    }
+
+    /// The first element that is torn.
+    fn torn(&self, state: &State) -> Option<u32> {
+        let own = strained::torn(&self.model, &self.assembly, &self.phase, state);
+        let Some(ranks) = &self.ranks else { return own.map(|[_, element]| element) };
+        let of: Vec<u32> = (0..ranks.division.ranks).collect();
+        let own = own.map_or([f64::INFINITY; 2], |own| own.map(f64::from));
+        let all = ranks.rows(&of, &[own], 2);
+        let first = all.into_iter().min_by(|a, b| a[0].total_cmp(&b[0]))?;
+        first[0].is_finite().then_some(first[1] as u32)
     }
 
     /// uⁿ to uⁿ⁺¹ with the forces just evaluated, this share of what is held, and this share of the way of what is moved.
@@ -292,7 +349,12 @@ impl Engine {
         let c = state.relaxing.damping;
         let (keep, push) = ((1.0 - 0.5 * c) / (1.0 + 0.5 * c), 1.0 / (1.0 + 0.5 * c));
         let (held, start) = (&state.held, &state.start);
-        let blocks = &self.model.nodes.blocks;
+        let all = &self.model.nodes.blocks;
+        let some: Vec<&Block> = match &phase.ours {
+            None => all.iter().collect(),
+            Some(ours) => ours.blocks.iter().map(|&b| &all[b as usize]).collect(),
+        };
+        let blocks = &some[..];
         let rows = split(&mut state.u, blocks, |block| block.nodes.clone()).into_iter().zip(split(
             &mut state.du,
             blocks,
@@ -349,14 +411,22 @@ impl Engine {
             })
             .collect();
         let moved = self.move_driven(state, way);
-        for &(node, master) in &phase.tied {
+        for &(node, master) in phase.tied.iter().filter(|(node, _)| phase.holds(*node)) {
             let next = state.du[master as usize];
             for i in 0..3 {
                 state.u[node as usize].0[i] += next.0[i];
             }
             state.du[node as usize] = next;
         }
-        let mut sums = tree(sums, Sums::plus);
+        let mut sums = match (&self.ranks, &phase.ours) {
+            (Some(ranks), Some(ours)) => {
+                let of = &ranks.division.of_block;
+                let own = ours.blocks.iter().zip(sums).filter(|(b, _)| of[**b as usize] == ranks.rank());
+                let tree = Tree::new(of.clone(), ranks.rank(), own.map(|(_, sums)| sums));
+                ranks.sums(Sums::WIDTH, vec![tree], Sums::plus).pop().unwrap_or_default()
+            }
+            _ => tree(sums, Sums::plus),
+        };
         sums.next_work += moved;
         sums
     }

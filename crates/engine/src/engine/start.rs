@@ -1,6 +1,6 @@
 //! A state with motion to begin with.
 
-use super::{Engine, guard};
+use super::Engine;
 use crate::state::State;
 use tremolite_kernels::{Booked, Line};
 use tremolite_laws::Row;
@@ -30,7 +30,7 @@ impl Engine {
         let snapshot = self.look(state).snapshot;
         let now = snapshot.balance;
         // The guard compares with the kinetic energy of v⁻, which may exceed that of v⁰.
-        let minus = guard::kinetic(&self.model, &self.phase, state);
+        let minus = self.kinetic(state);
         let (held, _) = self.held(state, state.kept(), &snapshot.energy);
         let mut ledger = state.ledger.cleared();
         let mut stored = 0.0;

@@ -16,8 +16,8 @@ const EDGES: [[usize; 2]; 12] =
     [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
 
 /// The first active element one of whose edges has strained by a tenth since the relaxation began, or that has moved by more
-/// than its longest edge.
-pub(super) fn torn(model: &Model, assembly: &Assembly, phase: &Phase, state: &State) -> Option<u32> {
+/// than its longest edge: its member and itself. On a rank, of those that it has.
+pub(super) fn torn(model: &Model, assembly: &Assembly, phase: &Phase, state: &State) -> Option<[u32; 2]> {
     let moved = |node: u32| -> [f64; 3] {
         let node = model.engine_node[node as usize] as usize;
         let (u, start): (Row, Row) = (state.u[node], state.start[node]);
@@ -37,7 +37,9 @@ pub(super) fn torn(model: &Model, assembly: &Assembly, phase: &Phase, state: &St
         }
         motion.iter().any(|&d| between(d, [0.0; 3]) > longest)
     };
-    let of = |&m: &u32| assembly.members[m as usize].kind.patch().map(|patch| &model.patches[patch]);
-    let patches: Vec<&Patch> = phase.active.iter().filter_map(of).collect();
-    patches.par_iter().find_map_first(|patch| patch.elements.iter().copied().find(|&e| is_torn(e)))
+    let of = |&m: &u32| Some((m, &model.patches[assembly.members[m as usize].kind.patch()?]));
+    let patches: Vec<(u32, &Patch)> = phase.members().iter().filter_map(of).collect();
+    let first =
+        |(m, patch): &(u32, &Patch)| Some([*m, patch.elements.iter().copied().find(|&e| is_torn(e))?]);
+    patches.par_iter().find_map_first(first)
 }

@@ -40,9 +40,13 @@ impl Pass {
 
     /// Its blocks of levels up to this one.
     pub fn up_to(&self, coarsest: u8) -> Self {
+        self.of(|turn| turn.level <= coarsest)
+    }
+
+    /// Those of its blocks that are wanted.
+    pub fn of(&self, wanted: impl Fn(&Turn) -> bool) -> Self {
         let mut pass = Pass::default();
-        let own = self.turns.iter().filter(|turn| turn.level <= coarsest).cloned();
-        own.for_each(|turn| pass.push(turn));
+        self.turns.iter().filter(|turn| wanted(turn)).for_each(|turn| pass.push(turn.clone()));
         pass
     }
 

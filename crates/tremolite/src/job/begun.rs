@@ -10,7 +10,9 @@ use crate::setup::MotionFacts;
 use crate::simulation::{Built, Outcome, Simulation, Start, check_rest};
 use crate::summary::summary;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
+use tremolite_engine::Ranks;
 use tremolite_results::{Computed, ResultFolder, RunFacts, Summary, Table, replace_file};
 
 /// Who runs a job, as the summary names it.
@@ -103,12 +105,17 @@ impl Job {
             }
         }
         replace_file(&folder.case(), source)?;
+        Ok(Begun { earlier, ..self.join(folder, start) })
+    }
+
+    /// Joins a run that another rank [began](Job::begin), which keeps the case.
+    pub fn join(&self, folder: &ResultFolder, start: Start) -> Begun {
         let start = match start {
             Start::Rest => Beginning::Rest,
             Start::Resume => Beginning::Resume,
             Start::From(other) => Beginning::From(other.clone()),
         };
-        Ok(Begun { folder: folder.clone(), start, earlier })
+        Begun { folder: folder.clone(), start, earlier: (0.0, 0) }
     }
 
     /// Runs it in a folder until it ends or is stopped, on the rayon pool that this is called from. The figures and the page are made
@@ -139,6 +146,19 @@ impl Begun {
     /// # Errors
     /// If there is no checkpoint to start from, or it is of another model or plan.
     pub fn simulation(&self, job: &Job, own: OwnObservers) -> Result<Simulation, RunError> {
+        self.simulation_among(job, own, None)
+    }
+
+    /// What a rank has of it, if several work on it ([`Simulation::among`]).
+    ///
+    /// # Errors
+    /// As [`Begun::simulation`].
+    pub fn simulation_among(
+        &self,
+        job: &Job,
+        own: OwnObservers,
+        ranks: Option<Arc<Ranks>>,
+    ) -> Result<Simulation, RunError> {
         let start = match &self.start {
             Beginning::Rest => Start::Rest,
             Beginning::Resume => Start::Resume,
@@ -147,7 +167,7 @@ impl Begun {
         let Job { model, assembly, phase, stable, .. } = job;
         let (model, assembly, phase) = (model.clone(), assembly.clone(), phase.clone());
         let built = Built { model, assembly, phase, stable: stable.clone() };
-        Simulation::new(&built, &job.plan, &self.folder, start, own)
+        Simulation::among(&built, &job.plan, &self.folder, start, own, ranks)
     }
 
     /// The summary of how the job that was begun ended, which is written into the folder.

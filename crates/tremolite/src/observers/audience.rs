@@ -1,17 +1,24 @@
 //! The observers of a stage or of the shaking, each with what it wants, and how they are told.
 
-use super::observer::{CycleMade, Event, Observer, OwnObservers, Setting, Stepped, View, Wants, Which};
+use super::observer::{
+    CycleMade, Event, Observer, OwnObservers, Schedule, Setting, Stepped, View, Wants, Which,
+};
 use super::unseen::Unseen;
 use crate::error::RunError;
+use tremolite_engine::Ranks;
 use tremolite_engine::engine::Rest;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
 
 /// Observers with what they want.
+#[derive(Default)]
 pub struct Audience {
     all: Vec<(Box<dyn Observer>, Wants)>,
     /// Whether what an observer does not want is not a number to it.
     poisoned: bool,
+    /// When somebody looks, and engine nodes of whose motion somebody is told in every step; the same on all ranks.
+    looks: Vec<Schedule>,
+    pub steps: Which,
 }
 
 impl Audience {
@@ -27,12 +34,42 @@ impl Audience {
                 (observer, wants)
             }));
         }
-        Ok(Audience { all, poisoned })
+        let looks = all.iter().filter_map(|(_, wants)| wants.looks).collect();
+        let steps = all.iter().fold(Which::Nothing, |steps, (_, wants)| steps.and(&wants.steps));
+        Ok(Audience { all, poisoned, looks, steps })
+    }
+
+    /// What the observers of the first of several ranks want, for all: the others have none.
+    #[must_use]
+    pub fn of_first(mut self, ranks: &Ranks) -> Self {
+        let number = |count: u64| f64::from_bits(count);
+        let mut words = vec![number(self.looks.len() as u64)];
+        for Schedule { every, last } in &self.looks {
+            words.extend([number(*every), number(u64::from(last.is_some())), number(last.unwrap_or(0))]);
+        }
+        match &self.steps {
+            Which::Nothing => {}
+            Which::Some(nodes) => words.extend(nodes.iter().map(|&n| number(u64::from(n)))),
+            Which::All => words.push(number(ALL)),
+        }
+        let counts: Vec<u64> = ranks.from_first(&words).into_iter().map(f64::to_bits).collect();
+        let Some((&looks, rest)) = counts.split_first() else { return self };
+        let (looks, nodes) = rest.split_at((3 * looks as usize).min(rest.len()));
+        self.looks = looks
+            .chunks_exact(3)
+            .map(|s| Schedule { every: s[0], last: (s[1] > 0).then_some(s[2]) })
+            .collect();
+        self.steps = match nodes {
+            [] => Which::Nothing,
+            [ALL] => Which::All,
+            nodes => Which::Some(nodes.iter().map(|&n| n as u32).collect()),
+        };
+        self
     }
 
     /// Whether anybody wants to look at a step.
     pub fn is_due(&self, step: u64) -> bool {
-        self.all.iter().any(|(_, wants)| looks(wants, step))
+        self.looks.iter().any(|schedule| schedule.due(step))
     }
 
     /// Tells all.
@@ -132,6 +169,9 @@ impl Audience {
         Ok(())
     }
 }
+
+/// In place of the numbers of nodes: all of them.
+const ALL: u64 = u64::MAX;
 
 fn looks(wants: &Wants, step: u64) -> bool {
     wants.looks.is_some_and(|schedule| schedule.due(step))

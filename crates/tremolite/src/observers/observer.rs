@@ -63,6 +63,18 @@ impl Which {
         Which::Some(all)
     }
 
+    /// What any of both is.
+    pub(super) fn and(self, other: &Which) -> Self {
+        match (self, other) {
+            (Which::All, _) | (_, Which::All) => Which::All,
+            (Which::Nothing, other) => other.clone(),
+            (own, Which::Nothing) => own,
+            (Which::Some(own), Which::Some(other)) => {
+                Which::some(own.iter().chain(other).map(|&one| one as usize))
+            }
+        }
+    }
+
     /// Members of some kinds.
     pub fn members(assembly: &Assembly, wanted: impl Fn(Kind) -> bool) -> Self {
         let members = assembly.members.iter().enumerate();

@@ -1,6 +1,7 @@
 //! The shaking, step by step.
 
 use super::Simulation;
+use super::followed::Followed;
 use super::outcome::{Ending, Outcome};
 use crate::checkpoint;
 use crate::error::RunError;
@@ -12,6 +13,7 @@ use crate::transfer_table;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tremolite_engine::engine::{BodyBooks, Evaluated, Look, See, Seen};
+use tremolite_engine::exchange::To;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
@@ -39,6 +41,7 @@ pub enum Stepping {
 pub(super) struct Shaking {
     engine: Engine,
     audience: Audience,
+    followed: Option<Followed>,
     /// The step from which this process went on.
     first: u64,
     /// The balance when it was last looked at.
@@ -89,7 +92,8 @@ impl Simulation {
 
     /// From the state where the stages ended, or from the step at which it was stopped.
     fn begin(&mut self) -> Result<Shaking, RunError> {
-        let mut engine = Engine::new(&self.model, &self.assembly, &self.phase);
+        let mut engine = Engine::among(&self.model, &self.assembly, &self.phase, self.ranks.as_ref());
+        let writes = self.writes();
         let Simulation { model, plan, folder, state, .. } = self;
         if !plan.stages.is_empty() && state.carried.is_empty() {
             engine.hand_over(state, self.dt);
@@ -99,6 +103,7 @@ impl Simulation {
         let first = state.steps();
         if let Some(incident) = &model.boundaries.incident
             && first == 0
+            && writes
         {
             let given = plan.recorded.as_ref().map(|recorded| &recorded.motion);
             motion_table::write(folder, incident, given, plan.duration)?;
@@ -106,11 +111,15 @@ impl Simulation {
                 transfer_table::write(folder, recorded)?;
             }
         }
+        engine.own(state);
         let audience = self.audience(&self.phase, &self.state)?;
         engine.glance_at(audience.glanced(&self.phase));
+        let ranks = self.ranks.as_ref();
+        let followed = ranks.and_then(|ranks| Followed::of(&self.model, ranks, &audience.steps));
         Ok(Shaking {
             engine,
             audience,
+            followed,
             first,
             balance: Lines::default(),
             bodies: Vec::new(),
@@ -156,6 +165,9 @@ impl Simulation {
         loop {
             self.state = shaking.engine.advance(evaluated);
             let steps = self.state.steps();
+            if let Some((followed, ranks)) = shaking.followed.as_ref().zip(self.ranks.as_ref()) {
+                followed.tell(ranks, &mut self.state);
+            }
             let State { u, du, datum, dt, observers: memory, .. } = &mut self.state;
             let stepped = Stepped { model: &self.model, plan: &self.plan, steps, u, datum, du, dt: *dt };
             if told.is_ok() {
@@ -167,6 +179,10 @@ impl Simulation {
             evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Nothing);
         }
         if let Err(error) = told {
+            if self.ranks.is_some() {
+                // The others know nothing of it: this rank ends them.
+                return Err(error);
+            }
             let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
             self.end(shaking, evaluated, None);
             return Err(error);
@@ -237,7 +253,7 @@ impl Simulation {
             Some(shaking) => shaking.engine.look(state),
             // Gone back to, and not gone on with yet.
             None if state.steps() > 0 => {
-                Engine::new(&self.model, &self.assembly, &self.phase).look(&self.state)
+                Engine::among(&self.model, &self.assembly, &self.phase, self.ranks.as_ref()).look(&self.state)
             }
             None => return self.look_at_stage(),
         };
@@ -261,8 +277,19 @@ impl Simulation {
                 return Ok(Some((halt, hottest_element(&self.model, &self.phase, &seen))));
             }
         }
-        checkpoint::write(&self.folder.checkpoint(), &mut self.state, self.fingerprint)?;
+        self.write_checkpoint()?;
         Ok(None)
+    }
+
+    fn write_checkpoint(&mut self) -> Result<(), RunError> {
+        let mut state = std::mem::take(&mut self.state);
+        self.whole(&mut state, To::First);
+        let written = match self.writes() {
+            true => checkpoint::write(&self.folder.checkpoint(), &mut state, self.fingerprint),
+            false => Ok(()),
+        };
+        self.state = state;
+        Ok(written?)
     }
 
     /// Ends the simulation where it stands: writes what is written at the end, and says what is known of the run.
@@ -283,7 +310,9 @@ impl Simulation {
         if let Some(shaking) = &mut self.shaking {
             shaking.audience.tell(&Event::End { time }, &mut self.state.observers)?;
         }
-        let Simulation { model, plan, state, shaking, steps, dt, stable, .. } = self;
+        let mut state = std::mem::take(&mut self.state);
+        self.whole(&mut state, To::First);
+        let Simulation { model, plan, shaking, steps, dt, stable, .. } = self;
         let taken = if shaking.is_some() { state.steps() } else { 0 };
         let seconds = |of: fn(&Shaking) -> Duration| shaking.as_ref().map_or(0.0, |s| of(s).as_secs_f64());
         Ok(Outcome {

@@ -10,6 +10,7 @@ use crate::places;
 use crate::stages::PlannedStage;
 use std::sync::Arc;
 use tremolite_engine::engine::{Look, Relaxed, Rest};
+use tremolite_engine::exchange::To;
 use tremolite_engine::state::State;
 use tremolite_engine::{Engine, Model, Phase, Stage};
 use tremolite_laws::Row;
@@ -63,7 +64,7 @@ impl Simulation {
     pub fn relax(&mut self, watch: &mut dyn FnMut(&Cycle) -> Go) -> Result<StageEnd, RunError> {
         let stage = self.stage().ok_or(RunError::NoStageLeft)?;
         let phase = Phase::of(&self.model, &self.assembly, Stage::Before(stage as u16))?;
-        let mut engine = Engine::new(&self.model, &self.assembly, &phase);
+        let mut engine = Engine::among(&self.model, &self.assembly, &phase, self.ranks.as_ref());
         let mut audience = self.audience(&phase, &self.state)?;
         let mut state = std::mem::take(&mut self.state);
         let relaxed = self.relax_state(stage, &mut engine, &mut audience, &mut state, watch);
@@ -82,7 +83,14 @@ impl Simulation {
     /// Keeps the state that the shaking begins with, once all stages are done.
     pub(super) fn hand_over_begins(&mut self) -> Result<(), RunError> {
         if self.stage().is_none() && self.state.carried.is_empty() {
-            checkpoint::write_hand_over(&self.folder.checkpoint(), &mut self.state, self.fingerprint)?;
+            let mut state = std::mem::take(&mut self.state);
+            self.whole(&mut state, To::First);
+            let written = match self.writes() {
+                true => checkpoint::write_hand_over(&self.folder.checkpoint(), &mut state, self.fingerprint),
+                false => Ok(()),
+            };
+            self.state = state;
+            written?;
         }
         Ok(())
     }
@@ -115,6 +123,7 @@ impl Simulation {
             relaxed => StageEnd::Restless { relaxed, place: place(&self.model, phase, &relaxed) },
         };
         let at_rest = matches!(end, StageEnd::AtRest(_));
+        self.whole(state, To::All);
         let snapshot = still(engine, state).snapshot;
         let mut memory = std::mem::take(&mut state.observers);
         let Simulation { model, assembly, plan, .. } = self;
@@ -125,18 +134,20 @@ impl Simulation {
         let seen = StageSeen { stage, at_rest, rest: &rest, view, u, start, last, reference };
         let told = audience.tell(&Event::StageEnds(seen), &mut memory);
         state.observers = memory;
+        engine.own(state);
         told.map(|()| end)
     }
 
     fn relax_state(
-        &self,
+        &mut self,
         stage: usize,
         engine: &mut Engine,
         audience: &mut Audience,
         state: &mut State,
         watch: &mut dyn FnMut(&Cycle) -> Go,
     ) -> Result<Relaxed, RunError> {
-        let planned = &self.plan.stages[stage];
+        let plan = self.plan.clone();
+        let planned = &plan.stages[stage];
         audience.tell(&Event::StageBegins(stage), &mut state.observers)?;
         let mut failed = None;
         let mut start_ratio = f64::NAN;
@@ -154,13 +165,18 @@ impl Simulation {
             }
             let share = share(rest, planned, start_ratio);
             let go = watch(&Cycle { stage, cycle, rest: *rest, share });
-            if go != Go::On
+            let [stop, keep] = self.agreed(go == Go::Stop, go == Go::Checkpoint);
+            if stop || keep {
+                self.whole(state, To::First);
+            }
+            if (stop || keep)
+                && self.writes()
                 && let Err(e) = checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint)
             {
                 failed = Some(e.into());
                 return false;
             }
-            go != Go::Stop
+            !stop
         });
         match failed {
             Some(e) => Err(e),
@@ -174,7 +190,8 @@ impl Simulation {
         let now = if self.state.relaxing.cycle > 0 { next } else { next.saturating_sub(1) };
         let stage = if self.plan.stages.is_empty() { Stage::Shaking } else { Stage::Before(now as u16) };
         let phase = Phase::of(&self.model, &self.assembly, stage)?;
-        let look = still(&mut Engine::new(&self.model, &self.assembly, &phase), &self.state);
+        let mut engine = Engine::among(&self.model, &self.assembly, &phase, self.ranks.as_ref());
+        let look = still(&mut engine, &self.state);
         Ok((phase, look))
     }
 }

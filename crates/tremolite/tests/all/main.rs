@@ -25,6 +25,7 @@ mod observers;
 mod outside_law;
 mod outside_part;
 mod poison;
+mod ranks;
 mod ready;
 mod recorded;
 mod reinforcement;

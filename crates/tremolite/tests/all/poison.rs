@@ -140,10 +140,10 @@ fn bolts_interfaces_and_stages_name_what_they_read() {
 }
 
 /// A spring between two nodes of which it pushes one.
-struct OneSided {
-    nodes: [u32; 1],
-    other: u32,
-    named: bool,
+pub struct OneSided {
+    pub nodes: [u32; 1],
+    pub other: u32,
+    pub named: bool,
 }
 
 impl Part for OneSided {

@@ -1,12 +1,14 @@
 //! What a run says, to the terminal and to log.txt.
 
-use crate::terminal::{bytes, duration, say};
+use crate::terminal::{bytes, duration, say, sent};
 use std::io::Write;
 use tremolite::job::Job;
 use tremolite::plan::Plan;
+use tremolite::ranks::Took;
 use tremolite::run::Progress;
 use tremolite::simulation::Outcome;
 use tremolite::survey::{impacts_in_words, limit_in_words};
+use tremolite::{Division, Ranks};
 use tremolite_results::{ResultFolder, Summary};
 
 /// Messages to the terminal and to log.txt.
@@ -17,6 +19,11 @@ pub(super) struct Log {
 impl Log {
     pub(super) fn open(folder: &ResultFolder) -> Log {
         Log { file: std::fs::OpenOptions::new().create(true).append(true).open(folder.log()).ok() }
+    }
+
+    /// That of a rank for which another speaks.
+    pub(super) fn none() -> Log {
+        Log { file: None }
     }
 
     pub(super) fn keep(&mut self, message: &str) {
@@ -30,6 +37,32 @@ impl Log {
         say(message);
         self.keep(message.trim());
     }
+}
+
+/// How a model is shared out.
+pub(super) fn shared_out(division: &Division) -> String {
+    let slower = 100.0 * (division.imbalance() - 1.0);
+    format!(
+        "  {} ranks, of which the one with most work has {slower:.0} % more than the mean",
+        division.ranks
+    )
+}
+
+/// How evenly ranks were at work.
+pub(super) fn busy(ranks: &Ranks) -> String {
+    let Took { halos, bytes, waited, worked } = ranks.tally.took();
+    let [worked, waited, bytes] =
+        [worked, waited, bytes as f64 / halos.max(1) as f64].map(|own| ranks.each(own));
+    let mean = |all: &[f64]| all.iter().sum::<f64>() / all.len() as f64;
+    let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
+    format!(
+        "  ranks evaluated parts for {:.1} s in the mean and {:.1} s at most, and waited for others for {:.1} s in the mean; each sent up to {} an \
+         evaluation",
+        mean(&worked),
+        most(&worked),
+        mean(&waited),
+        sent(most(&bytes))
+    )
 }
 
 /// What will be run.
