@@ -13,13 +13,16 @@ use tremolite_mesh::cut::{Bounds, Cut, cut};
 /// Smallest share that a cut may leave of the step of single elements of the mesh without planes. It bounds that of the mesh, which
 /// keeps more: half a brick alone has 0.45 of the brick's step, and in a mesh of bricks 0.95 of the mesh's.
 const LEAST_STEP: f64 = 0.25;
+/// Shares of the step and scaled Jacobians below which a cut is warned of.
+const POOR_STEP: f64 = 0.4;
+const POOR_JACOBIAN: f64 = 0.3;
 
 /// The groups that a plane makes.
 pub fn groups_of(plane: &case::CutPlane) -> [String; 2] {
     ["above", "below"].map(|side| format!("{}.{side}", plane.name.value))
 }
 
-/// Cuts a mesh by the planes of a case; what is not possible is among the problems.
+/// Cuts a mesh by the planes of a case; what is not possible is among the problems. Elements that it leaves poor are told of.
 pub fn cut_by(
     source: &case::Mesh,
     planes: &[case::CutPlane],
@@ -52,6 +55,9 @@ pub fn cut_by(
                     "move `through` by half an element, lower `near`, or mesh the ground with the planes in Gmsh and read it as \
                      [mesh.file] (docs/meshes.md)",
                 ));
+                return None;
+            }
+            if share >= POOR_STEP && done.jacobian >= POOR_JACOBIAN {
                 return None;
             }
             let said = format!(
