@@ -85,7 +85,7 @@ impl Words for ElementEnergy {
     }
 }
 
-/// The tree by which [`crate::sums::tree`] adds, whose leaves are values of several ranks. Each rank adds what lies under branches that are all its
+/// The tree by which all sums over blocks and members are added (`sums`), whose leaves are values of several ranks. Each rank adds what lies under branches that are all its
 /// own; what meets there is added by all.
 pub struct Tree<T> {
     /// Level by level from the leaves up: whose all leaves below are, or [`SEVERAL`].
