@@ -1,7 +1,7 @@
 //! Planes that cut a mesh which is the same all along y: their nodes move onto the plane, and elements part along it.
 //!
 //! What is extruded along y is cut in its section. The plane is a line there, and a way of edges and diagonals of the elements near it
-//! is looked for ([`path`]): its nodes go onto the line, and a quadrilateral that it crosses becomes two triangles. No node is added and no
+//! is looked for (`path.rs`): its nodes go onto the line, and a quadrilateral that it crosses becomes two triangles. No node is added and no
 //! edge parted, so an element that the line passes by keeps its shape, and neighbours match by themselves. What must stay whole,
 //! linings, is passed: the way ends at its outer face and goes on from its inner one, whose nodes slide along their outline.
 
