@@ -7,6 +7,9 @@ let running;
 before(async () => (running = await browser()));
 after(() => running?.close());
 
+/** Opens all details that are folded away, as a reader may without scripts. */
+const unfold = (page) => page.evaluate(() => document.querySelectorAll("details").forEach((details) => details.setAttribute("open", "")));
+
 /** Every figure's drawing: whether it can be seen, with some extent. */
 const drawings = (page) =>
   page.evaluate(() => [...document.querySelectorAll("figure > svg")].map((svg) => svg.checkVisibility() && svg.getBoundingClientRect().height > 50));
@@ -34,6 +37,7 @@ test("without scripts the figures stand", async () => {
     running,
     "english",
     async (page) => {
+      await unfold(page);
       const seen = await drawings(page);
       assert.ok(seen.length >= 10 && seen.every(Boolean), `${seen}`);
     },
@@ -49,6 +53,7 @@ test("without WebGL the page says so, and the figures stand", async () => {
       assert.equal(await page.evaluate(() => window.tremolite.view.ready), false);
       assert.notEqual((await page.locator("#view").innerText()).trim(), "");
       assert.equal(await page.locator("#view canvas").count(), 0);
+      await unfold(page);
       const seen = await page.evaluate(() => [...document.querySelectorAll("figure:not(.answers) > svg")].every((svg) => svg.checkVisibility()));
       assert.equal(seen, true);
     });

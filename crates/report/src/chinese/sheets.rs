@@ -38,7 +38,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE.",
-        "未给出验收限值：可在算例的 [report.limits] 中给出，或用 tremolite report --limits 文件。",
+        "未给出验收限值：可在算例的 [report.limits] 中给出，或用命令 report 的选项 --limits 给出文件。",
     ),
     ("Nothing was checked.", "未作任何检查。"),
     ("None: all {judged} checks pass.", "无：{judged} 项检查全部通过。"),
