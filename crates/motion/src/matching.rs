@@ -118,7 +118,7 @@ pub fn scale_to(
 /// scaled as a whole, brought to rest at its end, and wavelets are added.
 ///
 /// # Errors
-/// [`Error::Unsuitable`] for a record in counts, shorter than twice the longest period, sampled more coarsely than a fifth of the
+/// [`Error::Unsuitable`] for a record in counts, shorter than twice the longest period, sampled more coarsely than a quarter of the
 /// shortest one, or which does not come as near as asked; the text says how near, and at which period.
 pub fn matched(
     record: &Channel,

@@ -92,6 +92,7 @@ impl TargetSpectrum {
 
     fn of_csv(file: &Path, text: &str) -> Result<Self, Error> {
         let mut lines = text
+            .trim_start_matches('\u{feff}')
             .lines()
             .enumerate()
             .map(|(i, line)| (i + 1, line.trim()))
@@ -125,7 +126,7 @@ impl TargetSpectrum {
                 ));
             };
             // A peak acceleration may stand at period 0; the table begins behind it.
-            if t > 0.0 {
+            if t != 0.0 {
                 points.push([t, a * factor]);
             }
         }
