@@ -58,13 +58,13 @@ pub(crate) static SECTION: Table = Table {
             "alpha_cc",
             FACTOR,
             "1",
-            "By which the compressive strength is multiplied (EN 1992-1-1 3.1.6 (1); 12.3.1 (1) for plain concrete)",
+            "By which the compressive strength is multiplied (EN 1992-1-1 3.1.6 (1); for plain concrete 12.3.1 (1), which recommends 0.8)",
         ),
         Key::default(
             "alpha_ct",
             FACTOR,
             "1",
-            "By which the tensile strength is multiplied (EN 1992-1-1 3.1.6 (2); 12.3.1 (1) for plain concrete)",
+            "By which the tensile strength is multiplied (EN 1992-1-1 3.1.6 (2); for plain concrete 12.3.1 (1), which recommends 0.8)",
         ),
         Key::default(
             "gamma_d",
@@ -82,7 +82,7 @@ pub(crate) static SECTION: Table = Table {
             "plain_tension",
             Kind::Flag,
             "true",
-            "Whether the tensile strength counts in a section without bars (EN 1992-1-1 12.3.1 (2))",
+            "Whether the tensile strength counts in thrust and moment of a section without bars (EN 1992-1-1 12.3.1 (2)); its shear counts it always",
         ),
     ],
     choice: &[],
@@ -151,6 +151,21 @@ impl Section {
                 f.span.clone(),
                 "it is not said how strong the concrete is",
                 "give `grade`, or both `compressive_strength` and `tensile_strength`",
+            ));
+        }
+        let most = match f.word("code", SectionCode::from_word).map(|code| code.value) {
+            Some(SectionCode::Gb) => 32.4e6,
+            _ => 50e6,
+        };
+        if let Some(strength) = f.number("compressive_strength").filter(|strength| strength.value > most) {
+            problems.push(Diagnostic::new(
+                strength.span,
+                format!(
+                    "{:.1} MPa is beyond C50, whose {:.1} MPa are the most that the diagram of this code here is for",
+                    1e-6 * strength.value,
+                    1e-6 * most
+                ),
+                "concrete beyond C50 fails at smaller strains: judge its sections apart",
             ));
         }
     }

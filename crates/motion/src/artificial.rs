@@ -124,7 +124,8 @@ fn shaking(
     dt: f64,
     seed: u64,
 ) -> Result<Vec<f64>, Error> {
-    let samples = (envelope.duration / dt).round() as usize + 1;
+    // The cast saturates.
+    let samples = ((envelope.duration / dt).round() as usize).saturating_add(1);
     if !(4..=10_000_000).contains(&samples) {
         return Err(Error::unsuitable(
             format!("{} s at every {dt} s are {samples} samples", envelope.duration),

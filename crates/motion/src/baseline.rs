@@ -33,14 +33,26 @@ pub(crate) fn detrend_linear(values: &mut [f64]) {
     }
 }
 
-/// Velocity and displacement at the end, of an acceleration that is linear between its samples; from rest.
+/// Velocity and displacement at every sample after the first, of an acceleration that is linear between its samples; from rest.
+fn integrated(acceleration: &[f64], dt: f64) -> impl Iterator<Item = [f64; 2]> {
+    acceleration.windows(2).scan([0.0, 0.0], move |[v, u], pair| {
+        *u += dt * *v + dt * dt * (2.0 * pair[0] + pair[1]) / 6.0;
+        *v += 0.5 * dt * (pair[0] + pair[1]);
+        Some([*v, *u])
+    })
+}
+
+/// The last of them.
 fn end_of(acceleration: &[f64], dt: f64) -> [f64; 2] {
-    let (mut v, mut u) = (0.0, 0.0);
-    for pair in acceleration.windows(2) {
-        u += dt * v + dt * dt * (2.0 * pair[0] + pair[1]) / 6.0;
-        v += 0.5 * dt * (pair[0] + pair[1]);
-    }
-    [v, u]
+    integrated(acceleration, dt).last().unwrap_or_default()
+}
+
+/// Velocity and displacement at the end over their peaks, from rest, of an acceleration that is straight between its samples.
+pub fn drift(acceleration: &[f64], dt: f64) -> [f64; 2] {
+    let larger = |most: [f64; 2], now: [f64; 2]| [0, 1].map(|i| most[i].max(now[i].abs()));
+    let most = integrated(acceleration, dt).fold([0.0; 2], larger);
+    let end = end_of(acceleration, dt);
+    [0, 1].map(|i| if most[i] > 0.0 { end[i].abs() / most[i] } else { 0.0 })
 }
 
 /// Subtracts (b + c (2t/T − 1)) sin²(πt/T), T the record's length, with b and c such that velocity and displacement

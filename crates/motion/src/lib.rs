@@ -60,7 +60,7 @@ mod units;
 mod write;
 
 pub use artificial::{CORRELATION, Envelope, artificial, correlation};
-pub use baseline::{Trend, linear_trend};
+pub use baseline::{Trend, drift, linear_trend};
 pub use butterworth::{Band, Filter, Section};
 pub use channel::{Channel, align};
 pub use error::Error;
@@ -69,7 +69,7 @@ pub use geographic::Geographic;
 pub use integrate::cumulative_trapezoid;
 pub use intensity::Intensity;
 pub use kind::Kind;
-pub use matching::{Matched, Misfit, drift, matched, misfit, scale_to};
+pub use matching::{Matched, Misfit, matched, misfit, scale_to};
 pub use motion::{Motion, Sample};
 pub use orientation::Orientation;
 pub use process::{Process, lowest_lowpass, process};

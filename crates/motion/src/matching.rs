@@ -11,6 +11,7 @@
 use std::f64::consts::PI;
 
 use crate::baseline::bring_to_rest;
+use crate::spectrum::follow;
 use crate::target::spread;
 use crate::{Channel, Error, TargetSpectrum, pseudo_acceleration};
 
@@ -258,21 +259,8 @@ fn oscillators(target: &TargetSpectrum, band: [f64; 2], samples: usize, dt: f64)
 
 /// ω²u (m/s²) at every sample, from rest; see [`pseudo_acceleration`].
 fn response(acceleration: &[f64], dt: f64, omega: f64, zeta: f64) -> Vec<f64> {
-    let damped = omega * (1.0 - zeta * zeta).sqrt();
-    let decay = (-zeta * omega * dt).exp();
-    let (sin, cos) = (damped * dt).sin_cos();
-    let (mut u, mut v) = (0.0_f64, 0.0_f64);
     let mut all = vec![0.0];
-    for pair in acceleration.windows(2) {
-        let j = (pair[1] - pair[0]) / dt;
-        let q = -j / (omega * omega);
-        let p = (-pair[0] - 2.0 * zeta * omega * q) / (omega * omega);
-        let x = u - p;
-        let y = (v - q + zeta * omega * x) / damped;
-        u = decay * (x * cos + y * sin) + p + q * dt;
-        v = decay * (damped * (y * cos - x * sin) - zeta * omega * (x * cos + y * sin)) + q;
-        all.push(omega * omega * u);
-    }
+    follow(acceleration, dt, omega, zeta, |u| all.push(omega * omega * u));
     all
 }
 
@@ -434,18 +422,6 @@ fn damped_least_squares(a: &[f64], b: &[f64], n: usize, lambda: f64) -> Vec<f64>
         x[i] = (x[i] - sum) / m[i * n + i];
     }
     x
-}
-
-/// Velocity and displacement at the end over their peaks, from rest, of an acceleration that is straight between its samples.
-pub fn drift(acceleration: &[f64], dt: f64) -> [f64; 2] {
-    let (mut v, mut u) = (0.0_f64, 0.0_f64);
-    let mut most = [0.0_f64; 2];
-    for pair in acceleration.windows(2) {
-        u += dt * v + dt * dt * (2.0 * pair[0] + pair[1]) / 6.0;
-        v += 0.5 * dt * (pair[0] + pair[1]);
-        most = [most[0].max(v.abs()), most[1].max(u.abs())];
-    }
-    [(v, most[0]), (u, most[1])].map(|(end, most)| if most > 0.0 { end.abs() / most } else { 0.0 })
 }
 
 #[cfg(test)]

@@ -38,17 +38,19 @@ pub fn pseudo_acceleration(
                 return Ok(peak(acceleration));
             }
             let omega = 2.0 * std::f64::consts::PI / period;
-            Ok(omega * omega * peak_displacement(acceleration, dt, omega, damping))
+            let mut largest = 0.0_f64;
+            follow(acceleration, dt, omega, damping, |u| largest = largest.max(u.abs()));
+            Ok(omega * omega * largest)
         })
         .collect()
 }
 
-/// The largest |u| (m) at the samples, u'' + 2 ζ ω u' + ω² u = −a, from rest.
-fn peak_displacement(acceleration: &[f64], dt: f64, omega: f64, zeta: f64) -> f64 {
+/// Tells u (m) at every sample after the first, u'' + 2 ζ ω u' + ω² u = −a, from rest.
+pub(crate) fn follow(acceleration: &[f64], dt: f64, omega: f64, zeta: f64, mut told: impl FnMut(f64)) {
     let damped = omega * (1.0 - zeta * zeta).sqrt();
     let decay = (-zeta * omega * dt).exp();
     let (sin, cos) = (damped * dt).sin_cos();
-    let (mut u, mut v, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let (mut u, mut v) = (0.0_f64, 0.0_f64);
     for pair in acceleration.windows(2) {
         // A particular solution p + q s for the load −(a0 + j s), the rest swings freely.
         let j = (pair[1] - pair[0]) / dt;
@@ -58,9 +60,8 @@ fn peak_displacement(acceleration: &[f64], dt: f64, omega: f64, zeta: f64) -> f6
         let y = (v - q + zeta * omega * x) / damped;
         u = decay * (x * cos + y * sin) + p + q * dt;
         v = decay * (damped * (y * cos - x * sin) - zeta * omega * (x * cos + y * sin)) + q;
-        largest = largest.max(u.abs());
+        told(u);
     }
-    largest
 }
 
 /// A hundred periods from 0.02 s to 10 s, equally spaced in the logarithm: for plots and tables.

@@ -5,6 +5,8 @@ use crate::Section;
 /// Even points of the border from pure compression to pure tension, for each side that may be compressed most. With the corners beside
 /// them a chord is off the border by less than 10⁻⁴ of the section's strength.
 const POINTS: usize = 160;
+/// Even points more where steel is at its limit of strain, which is reached long before the concrete's is left.
+const STRAINED: usize = 400;
 
 /// The border of what a section with steel bears: a closed line through (N, M), in their units.
 ///
@@ -64,6 +66,9 @@ fn parameters(section: &Section, side: f64) -> Vec<f64> {
     let concrete = &section.concrete;
     let (least, end) = least_share(section, side);
     let mut all: Vec<f64> = (0..=POINTS).map(|k| k as f64 / POINTS as f64).collect();
+    if end < 1.0 {
+        all.extend((1..STRAINED).map(|k| end + (1.0 - end) * k as f64 / STRAINED as f64));
+    }
     for layer in &section.layers {
         for yields in [-1.0, 1.0] {
             let slope =

@@ -42,6 +42,14 @@ fn a_matched_record_is_read_again_and_is_the_nearest_of_its_folder() {
     fs::copy(shipped("20161113_110259_WTMC_20.V2A"), at.join("records/other.V2A")).unwrap();
     let mut args = vec!["motion", "select", "records", "--json", "--factors", "0.01", "100"];
     args.extend(band);
+    // A channel that stands still is named and does no harm.
+    fs::write(
+        at.join("records/dead.txt"),
+        format!("# units = \"m/s2\"\n# dt = \"0.01 s\"\n{}", "0\n".repeat(500)),
+    )
+    .unwrap();
+    let output = tremolite(at, &args);
+    assert!(errors(&output).contains("'dead' does not move"), "{}", errors(&output));
     let list = json(at, &args);
     let first = &list["records"][0];
     assert!(first["file"].as_str().unwrap().ends_with(".matched.txt"), "{list}");
@@ -67,4 +75,8 @@ fn artificial_motions_repeat_and_wrong_words_have_their_remedy() {
         assert_ne!(code(&refused), 0);
         assert!(errors(&refused).contains(remedy), "{}", errors(&refused));
     }
+    let mut args = args("c");
+    args.extend(["--count", "2", "--seed", "18446744073709551614"]);
+    let refused = tremolite(at, &args);
+    assert!(code(&refused) == 2 && errors(&refused).contains("--seed"), "{}", errors(&refused));
 }

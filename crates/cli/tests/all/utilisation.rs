@@ -206,6 +206,7 @@ fn what_cannot_be_judged_is_refused_at_its_line() {
     let folder = folder.path();
     for (from, to, says) in [
         ("compressive_strength = \"20 MPa\"\n", "", "how strong the concrete is"),
+        ("compressive_strength = \"20 MPa\"", "compressive_strength = \"51 MPa\"", "beyond C50"),
         (
             "compressive_strength = \"20 MPa\"\ntensile_strength = \"1.5 MPa\"",
             "grade = \"C31\"",

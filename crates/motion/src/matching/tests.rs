@@ -1,4 +1,5 @@
 use super::*;
+use crate::drift;
 
 /// A shaking of 24 s whose spectrum is not that of the target: three bursts of many frequencies.
 fn shaking(dt: f64) -> Channel {

@@ -114,6 +114,24 @@ fn chords_are_near_the_states_between_them() {
     }
 }
 
+/// So they are where steel that is pulled is at its limit of 1 %, whatever the face's strain, beside corners where the other steel yields.
+#[test]
+fn chords_are_near_the_states_at_the_steel_s_limit() {
+    for (h, pulled, pressed) in [(0.6, 1.57e-3, 1.57e-3), (0.8, 3e-3, 1e-3), (0.8, 1e-3, 3e-3)] {
+        let deep = 0.5 * h - 0.06;
+        let layers = [layer(pulled, deep), layer(pressed, -deep)];
+        let capacity = rule(Code::Gb, "C30").capacity(h, &layers, 1.0);
+        let with_limit = layers.map(|l| Layer { breaks: 0.01, ..l }).to_vec();
+        let section = Section { thickness: h, concrete: Concrete::gb(20.1e6), layers: with_limit };
+        for k in 0..1000 {
+            let face = -3.3e-3 + 13.3e-3 * (f64::from(k) + 0.37) / 1000.0;
+            let slope = (0.01 - face) / (h - 0.06);
+            let off = capacity.utilisation(section.forces(face + 0.5 * slope * h, slope)) - 1.0;
+            assert!(off.abs() < 1e-4, "{h} {pulled} {face}: {off}");
+        }
+    }
+}
+
 /// GB 50010 stops at 1 % of strain in the steel: the section bears the same tension and compression, and nowhere more than without.
 #[test]
 fn a_limit_of_strain_in_the_steel_takes_from_the_border_alone() {

@@ -33,6 +33,23 @@ fn plain_concrete() {
     let limit = 16.0 - 2.0 * (1.152 * (16.0 + 1.152_f64)).sqrt();
     let square = 1.152f64.powi(2) + 8.0 * 1.152 - ((8.0 - limit) / 2.0).powi(2);
     close(capacity.shear([-4e6, 0.0], square.sqrt() * 1e6 * 0.5 / 1.5), 1.0);
+    // M/N of 0.08 m lies in the core of 0.5/6 m; with 0.15 m 0.2 m are pressed, at 5 MPa: (1.152² + 5 · 1.152)^½ = 2.662 MPa.
+    close(capacity.shear([-1e6, 0.08e6], 635.2e3), 1.0);
+    close(capacity.shear([-1e6, -0.15e6], 355.0e3), 1.0);
+    // Beyond the face nothing is pressed.
+    assert_eq!(capacity.shear([-1e6, 0.3e6], 1e3), f64::INFINITY);
+}
+
+/// Bars at one face count where they are pulled; where they are not, the clauses for sections with bars give no number.
+#[test]
+fn bars_at_one_face() {
+    for code in [Code::En, Code::Gb] {
+        let design = rule(code, if code == Code::En { "C30/37" } else { "C30" });
+        let one = design.capacity(0.6, &[layer(1.57e-3, 0.24)], 1.0);
+        let both = design.capacity(0.6, &[layer(1.57e-3, 0.24), layer(1.57e-3, -0.24)], 1.0);
+        assert_eq!(one.shear([-1e6, 1.0], 1e5), both.shear([-1e6, 1.0], 1e5));
+        assert!(one.shear([-1e6, -1.0], 1e5).is_nan());
+    }
 }
 
 /// GB 50010-2010 6.3.3: h_0 = 1000 mm, β_h = (800/1000)^¼ = 0.9457; f_t = 2.01/1.4 = 1.4357 MPa: 0.7 · 0.9457 · 1.4357 · 1000 = 950.5 kN/m.

@@ -45,7 +45,10 @@ pub struct Args {
 pub fn run(args: &Args) -> Outcome {
     let (target, band) = args.fit.read()?;
     let envelope = Envelope::new(args.duration, args.rise, args.fall).map_err(Failure::input)?;
-    let seeds = args.seed..args.seed.saturating_add(args.count);
+    let last = args.seed.checked_add(args.count);
+    let last =
+        last.ok_or_else(|| Failure::input("--seed: there are not so many numbers left; give a smaller one"))?;
+    let seeds = args.seed..last;
     std::fs::create_dir_all(&args.out).map_err(|e| Failure::input(format!("{}: {e}", args.out.display())))?;
     let made = artificial(&target, band, envelope, args.dt, seeds.clone(), args.tolerance)
         .map_err(Failure::input)?;

@@ -78,6 +78,9 @@ pub fn run(args: &Args) -> Outcome {
     Ok(Code::Done)
 }
 
+/// What does not exceed this (m/s²) is round-off of a channel that stands still.
+const STILL: f64 = 1e-9;
+
 /// The accelerations of a folder, less their lines of best fit. What is no record is named and passed over.
 fn records(args: &Args, units: Option<Units>) -> Result<Vec<Channel>, Failure> {
     let options = ReadOptions { units, ..ReadOptions::default() };
@@ -97,6 +100,10 @@ fn records(args: &Args, units: Option<Units>) -> Result<Vec<Channel>, Failure> {
                         continue;
                     }
                     Process::DetrendLinear.apply(&mut [&mut c]).map_err(Failure::input)?;
+                    if c.acceleration.iter().all(|a| a.abs() < STILL) {
+                        say(&format!("note: passed over: '{}' does not move", c.name));
+                        continue;
+                    }
                     all.push(c);
                 }
             }
