@@ -8,17 +8,19 @@
 //! sum of wavelets drifts; and the equations are solved by damped least squares (`levenberg1944`), which bears periods that lie close
 //! together.
 
-use std::f64::consts::PI;
+mod least_squares;
+mod oscillator;
+#[cfg(test)]
+mod tests;
+mod wavelet;
 
 use crate::baseline::bring_to_rest;
-use crate::spectrum::follow;
-use crate::target::spread;
-use crate::{Channel, Error, TargetSpectrum, pseudo_acceleration};
+use crate::misfit::{Misfit, misfit, scale_to};
+use crate::{Channel, Error, TargetSpectrum};
+use least_squares::damped_least_squares;
+use oscillator::{Oscillator, Peak, oscillators, peaks};
+use wavelet::{Wavelet, response_at, wavelet};
 
-/// Spacing of the periods that are matched, in the logarithm. An oscillator with 5 % damping sees a tenth of its period to either side.
-const SPACING: f64 = 0.03;
-/// Periods at which a motion is judged; none of them is matched.
-const JUDGED: usize = 200;
 /// Samples a shortest period: an oscillator's largest response then lies at most 1 − cos(π/20) = 1.2 % above that at samples.
 const SAMPLES: f64 = 20.0;
 /// Rounds at most, and after how many without gain it ends.
@@ -33,27 +35,10 @@ const GROWTH: f64 = 20.0;
 const SHARE: f64 = 0.7;
 /// A misfit so much larger than the best is left.
 const ASTRAY: f64 = 3.0;
-/// Half waves of an oscillator that are minded: as many at most, from this share of the largest on.
-const PEAKS: usize = 4;
-const NEAR: f64 = 0.7;
 /// Times that half waves which would pass the target are added to the equations of a round.
 const PASSES: usize = 4;
 /// Rounds end where the misfit is this share of what is asked.
 const BETTER: f64 = 0.8;
-/// Widths γ of a wavelet to either side of its middle: its size has come to e⁻⁹ there.
-const WIDTHS: f64 = 3.0;
-/// Share of a wavelet's length over which it is faded in and out at either end, which the record may cut.
-const FADE: f64 = 0.1;
-
-/// How far a motion's spectrum is from a target, over judged periods.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Misfit {
-    /// Largest |Sa/target − 1|, and the period (s) where it is.
-    pub largest: f64,
-    pub period: f64,
-    /// Root of the mean square of Sa/target − 1.
-    pub rms: f64,
-}
 
 /// A record whose spectrum is a target's.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,48 +54,6 @@ pub struct Matched {
     pub after: Misfit,
     /// Rounds of wavelets.
     pub rounds: usize,
-}
-
-/// The misfit of samples (m/s²) at 200 periods of a band (s) that none of the matched ones is.
-///
-/// # Errors
-/// Those of [`pseudo_acceleration`].
-pub fn misfit(
-    acceleration: &[f64],
-    dt: f64,
-    target: &TargetSpectrum,
-    band: [f64; 2],
-) -> Result<Misfit, Error> {
-    let periods = spread(band, JUDGED, 0.5, JUDGED);
-    let spectrum = pseudo_acceleration(acceleration, dt, &periods, target.damping)?;
-    let (mut most, mut squares) = ((0.0, band[0]), 0.0);
-    for (&period, sa) in periods.iter().zip(spectrum) {
-        let off = sa / target.at(period) - 1.0;
-        squares += off * off;
-        if !(off.abs() <= most.0) {
-            most = (off.abs(), period);
-        }
-    }
-    Ok(Misfit { largest: most.0, period: most.1, rms: (squares / JUDGED as f64).sqrt() })
-}
-
-/// The factor by which a record's spectrum is nearest to a target's in a band (s): the mean of ln(target/Sa) over its periods.
-///
-/// # Errors
-/// Those of [`pseudo_acceleration`]; [`Error::Unsuitable`] for a record that does not move.
-pub fn scale_to(
-    acceleration: &[f64],
-    dt: f64,
-    target: &TargetSpectrum,
-    band: [f64; 2],
-) -> Result<f64, Error> {
-    let periods = spread(band, JUDGED, 0.5, JUDGED);
-    let spectrum = pseudo_acceleration(acceleration, dt, &periods, target.damping)?;
-    if !spectrum.iter().all(|sa| *sa > 0.0) {
-        return Err(Error::unsuitable("the record does not move", "give a record of an earthquake"));
-    }
-    let sum: f64 = periods.iter().zip(spectrum).map(|(&t, sa)| (target.at(t) / sa).ln()).sum();
-    Ok((sum / JUDGED as f64).exp())
 }
 
 /// Matches a record to a target within `tolerance` (a ratio, 0.05 for 5 %) at 200 periods of a band (s).
@@ -230,71 +173,6 @@ fn between_samples(values: &[f64], parts: usize) -> Vec<f64> {
     all
 }
 
-/// One matched period.
-struct Oscillator {
-    omega: f64,
-    damping: f64,
-    /// Target (m/s²).
-    target: f64,
-    /// ω²u by steps since the top of a triangular pulse of the ground of height one that is two dt wide.
-    pulse: Vec<f64>,
-}
-
-fn oscillators(target: &TargetSpectrum, band: [f64; 2], samples: usize, dt: f64) -> Vec<Oscillator> {
-    let mut spacings = ((band[1] / band[0]).ln() / SPACING).ceil().max(2.0) as usize;
-    // 200 i/n is then never a whole number and a half, so that no matched period is judged.
-    if spacings.is_multiple_of(16) {
-        spacings += 1;
-    }
-    let one = |period: f64| {
-        let omega = 2.0 * PI / period;
-        let mut ground = vec![0.0; samples + 1];
-        ground[1] = 1.0;
-        let mut pulse = response(&ground, dt, omega, target.damping);
-        pulse.remove(0);
-        Oscillator { omega, damping: target.damping, target: target.at(period), pulse }
-    };
-    spread(band, spacings + 1, 0.0, spacings).into_iter().map(one).collect()
-}
-
-/// ω²u (m/s²) at every sample, from rest; see [`pseudo_acceleration`].
-fn response(acceleration: &[f64], dt: f64, omega: f64, zeta: f64) -> Vec<f64> {
-    let mut all = vec![0.0];
-    follow(acceleration, dt, omega, zeta, |u| all.push(omega * omega * u));
-    all
-}
-
-/// A largest or nearly largest response of an oscillator.
-struct Peak {
-    oscillator: usize,
-    /// Sample.
-    at: usize,
-    /// ω²u there (m/s²).
-    response: f64,
-}
-
-/// The largest response of an oscillator, then the largest of other half waves that come within [`NEAR`] of it: they
-/// become the largest if nobody minds them.
-fn peaks(a: &[f64], dt: f64, oscillator: usize, o: &Oscillator) -> Vec<Peak> {
-    let all = response(a, dt, o.omega, o.damping);
-    let mut tops: Vec<Peak> = Vec::new();
-    for (at, &response) in all.iter().enumerate() {
-        match tops.last_mut() {
-            Some(top) if top.response * response > 0.0 => {
-                if response.abs() > top.response.abs() {
-                    (top.at, top.response) = (at, response);
-                }
-            }
-            _ => tops.push(Peak { oscillator, at, response }),
-        }
-    }
-    tops.sort_by(|a, b| b.response.abs().total_cmp(&a.response.abs()));
-    let largest = tops.first().map_or(0.0, |top| top.response.abs());
-    let kept = tops.iter().take(PEAKS).take_while(|top| top.response.abs() > NEAR * largest).count();
-    tops.truncate(kept.max(1));
-    tops
-}
-
 /// One round: misfits at the instants of largest responses, and the wavelets that take them away together. The weights of oscillators
 /// grow from round to round.
 fn add_wavelets(a: &mut [f64], dt: f64, oscillators: &[Oscillator], weights: &mut [f64], share: f64) {
@@ -354,75 +232,3 @@ fn add_wavelets(a: &mut [f64], dt: f64, oscillators: &[Oscillator], weights: &mu
         a[wavelet.from..].iter_mut().zip(&wavelet.values).for_each(|(a, w)| *a += by * w);
     }
 }
-
-/// What is added to the samples from one on.
-struct Wavelet {
-    from: usize,
-    values: Vec<f64>,
-}
-
-/// ω²u of an oscillator at sample `at` under a wavelet.
-fn response_at(o: &Oscillator, wavelet: &Wavelet, at: usize) -> f64 {
-    let Some(since) = at.checked_sub(wavelet.from) else { return 0.0 };
-    let count = wavelet.values.len().min(since + 1);
-    let pulses = o.pulse[since + 1 - count..=since].iter().rev();
-    wavelet.values[..count].iter().zip(pulses).map(|(a, h)| a * h).sum()
-}
-
-/// The improved tapered cosine wavelet (`alatik2010`, eq. 12 to 14) a period earlier, so that the largest response falls on `instant`
-/// \[s\]; three widths long to either side as far as the record goes, and at rest at both ends.
-fn wavelet(samples: usize, dt: f64, o: &Oscillator, instant: f64) -> Wavelet {
-    let root = (1.0 - o.damping * o.damping).sqrt();
-    let frequency = o.omega / (2.0 * PI);
-    let width = 1.178 * frequency.powf(-0.93);
-    let damped = o.omega * root;
-    let middle = instant - ((root / o.damping).atan() + 2.0 * PI) / damped;
-    let place = |t: f64| (t / dt).round().clamp(0.0, (samples - 1) as f64) as usize;
-    let (from, to) = (place(middle - WIDTHS * width), place(middle + WIDTHS * width).max(place(instant)));
-    let (begin, end) = (from as f64 * dt, to as f64 * dt);
-    let fade = FADE * (end - begin);
-    let value = |k: usize| {
-        let t = k as f64 * dt;
-        let from_end = (t - begin).min(end - t);
-        let window = if from_end < fade { 0.5 * (1.0 - (PI * from_end / fade).cos()) } else { 1.0 };
-        let since = t - middle;
-        window * (damped * since).cos() * (-(since / width).powi(2)).exp()
-    };
-    let mut values: Vec<f64> = (from..=to).map(value).collect();
-    bring_to_rest(&mut values, dt);
-    Wavelet { from, values }
-}
-
-/// x of length n that makes |Ax − b|² + λ²|x|² least, for A by rows: (AᵀA + λ²) x = Aᵀb by Cholesky's factors.
-fn damped_least_squares(a: &[f64], b: &[f64], n: usize, lambda: f64) -> Vec<f64> {
-    let mut m = vec![0.0; n * n];
-    let mut x = vec![0.0; n];
-    for (line, b) in a.chunks(n).zip(b) {
-        for i in 0..n {
-            x[i] += line[i] * b;
-            for j in 0..=i {
-                m[i * n + j] += line[i] * line[j];
-            }
-        }
-    }
-    for i in 0..n {
-        m[i * n + i] += lambda * lambda;
-        for j in 0..=i {
-            let sum: f64 = (0..j).map(|k| m[i * n + k] * m[j * n + k]).sum();
-            let rest = m[i * n + j] - sum;
-            m[i * n + j] = if i == j { rest.sqrt() } else { rest / m[j * n + j] };
-        }
-    }
-    for i in 0..n {
-        let sum: f64 = (0..i).map(|k| m[i * n + k] * x[k]).sum();
-        x[i] = (x[i] - sum) / m[i * n + i];
-    }
-    for i in (0..n).rev() {
-        let sum: f64 = (i + 1..n).map(|k| m[k * n + i] * x[k]).sum();
-        x[i] = (x[i] - sum) / m[i * n + i];
-    }
-    x
-}
-
-#[cfg(test)]
-mod tests;

@@ -1,6 +1,6 @@
 //! Records chosen from many by how near their spectra are to a target in shape.
 
-use crate::matching::{misfit, scale_to};
+use crate::misfit::{misfit, scale_to};
 use crate::target::spread;
 use crate::{Channel, Error, TargetSpectrum, pseudo_acceleration};
 

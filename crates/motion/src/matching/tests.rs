@@ -1,5 +1,7 @@
+use super::oscillator::response;
 use super::*;
 use crate::drift;
+use std::f64::consts::PI;
 
 /// A shaking of 24 s whose spectrum is not that of the target: three bursts of many frequencies.
 fn shaking(dt: f64) -> Channel {
