@@ -193,7 +193,7 @@ pub trait Part: Send + Sync {
     fn energy(&self, _x: &Motion, _kept: Kept) -> Lines {
         Lines::default()
     }
-    /// K w with the elastic stiffness, as the power iteration wants it.
+    /// K w with the elastic stiffness, as the search for the stable step wants it.
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch);
     /// Forces of given stresses \[Pa\] at the points alone, ∫Bᵀσ: those of [`Part::forces`] at these stresses but for the
     /// stabilisation. Nothing of parts without elements.

@@ -6,15 +6,13 @@
 //!
 //! Dashpots act on the mean of v⁻ and v⁺ and take energy in every step whatever its length, so they bound nothing.
 
-use super::product::{self, Product};
+use super::highest::{Highest, follow, highest};
+use super::product::Product;
 use crate::assembly::Assembly;
 use crate::member::Member;
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
-use crate::sums::over_nodes;
-use rayon::prelude::*;
-use std::ops::Range;
 use tremolite_laws::Row;
 
 /// What bounds the step.
@@ -102,22 +100,12 @@ fn hash(x: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-fn follow(phase: &Phase, w: &mut [Row]) {
-    for &(node, master) in &phase.tied {
-        w[node as usize] = w[master as usize];
-    }
-}
-
-const ITERATIONS: u32 = 300;
-const CONVERGED: f64 = 1e-5;
-
-/// The stable step by power iteration with the elastic stiffness (springs of the boundary included).
+/// The stable step by the largest λ of M⁻¹K, with the elastic stiffness (springs of the boundary included).
 ///
-/// The Rayleigh quotient approaches λmax from below; the iteration stops when it rises by less than 10⁻⁵ a time,
-/// or after 300 times. Callers keep a margin ([`crate::problem::TimeStep::safety`], 0.9 by default).
+/// The estimate approaches λmax from below ([`highest`]). Callers keep a margin ([`crate::problem::TimeStep::safety`], 0.9 by default).
 pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableStep {
     let mut w = start(model, phase);
-    let Power { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);
+    let Highest { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);
     let undamped = 2.0 / lambda.sqrt();
     let share = model.elements.viscosity[..model.user.elements].iter().copied().fold(0.0, f64::max);
     let mut dt_stiffness = undamped;
@@ -153,51 +141,6 @@ const VISCOUS_ROUNDS: usize = 2;
 /// √(1 + b²) − b: what artificial viscosity b leaves of the step where it acts on every element.
 pub fn viscous_share(viscosity: f64) -> f64 {
     (1.0 + viscosity * viscosity).sqrt() - viscosity
-}
-
-/// What a power iteration found.
-struct Power {
-    lambda: f64,
-    change: f64,
-    iterations: u32,
-}
-
-/// The largest λ of M⁻¹ times a product, with its mode in `w`, from which the iteration starts.
-fn highest(model: &Model, assembly: &Assembly, phase: &Phase, product: Product, w: &mut [Row]) -> Power {
-    let mut contributions = vec![Row::ZERO; assembly.totals().contributions.end];
-    let mut kw = vec![Row::ZERO; w.len()];
-    let (mut lambda, mut change, mut iterations) = (0.0, f64::INFINITY, 0);
-    while iterations < ITERATIONS && change > CONVERGED {
-        product::times(assembly, phase, product, w, &mut contributions, &mut kw, None);
-        let [wkw, wmw] = products(model, phase, w, &kw);
-        let quotient = wkw / wmw;
-        change = ((quotient - lambda) / quotient).abs();
-        lambda = quotient;
-        iterations += 1;
-        let scale = 1.0 / (wmw.sqrt() * quotient);
-        w.par_iter_mut().zip(&kw).zip(&phase.inverse_mass).for_each(|((w, kw), inverse)| {
-            for i in 0..3 {
-                w.0[i] = kw.0[i] * inverse.0[i] * scale;
-            }
-        });
-        follow(phase, w);
-    }
-    Power { lambda, change, iterations }
-}
-
-/// wᵀKw and wᵀMw.
-fn products(model: &Model, phase: &Phase, w: &[Row], kw: &[Row]) -> [f64; 2] {
-    let one = |nodes: Range<usize>| {
-        let mut sums = [0.0; 2];
-        for n in nodes {
-            let (w, kw) = (&w[n], &kw[n]);
-            // A tied node's mass and force are its master's; its own are zero.
-            sums[0] += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
-            sums[1] += phase.mass[n] * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
-        }
-        sums
-    };
-    over_nodes(&model.nodes, one, |a, b| [a[0] + b[0], a[1] + b[1]])
 }
 
 /// Where the mode `w` stores most energy: an element of the mesh, or a node of a part without elements.
