@@ -50,10 +50,12 @@ impl Held {
         Ok(Some(held))
     }
 
-    /// Whether there is a checkpoint to go on from.
+    /// Whether there is a checkpoint to go on from, or what the earthquake begins with.
     fn goes_on(&self) -> bool {
-        let entries = fs::read_dir(self.folder.results().join("checkpoint"));
-        entries.is_ok_and(|mut entries| entries.any(|e| e.is_ok_and(|e| e.file_name() != HAND_OVER)))
+        let results = self.folder.results();
+        let ended = results.join("summary.json").exists();
+        let goes_on = |entry: fs::DirEntry| !ended || entry.file_name() != HAND_OVER;
+        fs::read_dir(results.join("checkpoint")).is_ok_and(|mut all| all.any(|e| e.is_ok_and(goes_on)))
     }
 
     /// Runs it or goes on with it, from what another has come to before its earthquake where that is given.
