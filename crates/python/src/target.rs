@@ -13,6 +13,9 @@ use tremolite_motion::{
 /// A band of periods \[s\], the shorter first.
 type Band = Option<(f64, f64)>;
 
+/// A component by its place: what to multiply it by, its misfit, the largest, and the period \[s\] of that.
+type Row = (usize, f64, f64, f64, f64);
+
 /// A response spectrum that motions are to fit: pseudo-acceleration, horizontal.
 ///
 /// `Target("EN 1998-1 type 1 ground B 2 m/s2")`, or the path of a CSV file with the columns `period [s]` and `sa [m/s2]` or `sa [g]`; both for 5 %
@@ -166,7 +169,7 @@ fn select_records(
     target: &Bound<'_, Target>,
     band: Band,
     factors: (f64, f64),
-) -> PyResult<(Vec<(usize, f64, f64, f64, f64)>, usize)> {
+) -> PyResult<(Vec<Row>, usize)> {
     let (py, target, channels) = (motion.py(), target.get(), of_python(motion)?);
     let band = target.band(band)?;
     if !(factors.0 > 0.0 && factors.0 < factors.1) {

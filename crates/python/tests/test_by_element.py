@@ -106,7 +106,12 @@ def test_a_mesh_of_a_file_in_other_units_keeps_its_size(column, tmp_path):
 
 def test_fields_that_cannot_be_are_refused_in_words(column):
     job = tr.Job(tr.Case.from_dict(column), motion=pulse())
-    for name, words in [("young", "there are rock"), ("roc.young", "there are rock"), ("rock.yuong", "it has law, young"), ("rock.law", "no number")]:
+    for name, words in [
+        ("young", "there are rock"),
+        ("roc.young", "there are rock"),
+        ("rock.yuong", "it has law, young"),
+        ("rock.law", "no number"),
+    ]:
         with pytest.raises(tr.Error, match=words):
             job.field(name)
     young = job.field("rock.young")

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import tremolite as tr
-from conftest import EQUAL, pulse, same_files
+from conftest import EQUAL, same_files
 
 TOP = [40, 41, 42, 43]
 SHEAR = np.sqrt(0.8e9 / 2500.0)

@@ -22,8 +22,8 @@ def by_element(case: Case, material: str, factors: Mapping[str, Any], *, mesh: M
         passed over.
     mesh: what the case is to be run with, where it is in memory; else the one that `case.mesh()` makes.
     classes: into so many steps, equal in the logarithm, the factors of each parameter are sorted; a class has the mean of its elements,
-        so the spread of the field within a class is lost: with 16 classes between 0.5 and 2 at most 9 % of a value. A field with no more values than
-        classes is exact.
+        so the spread of the field within a class is lost: with 16 classes between 0.5 and 2 at most 9 % of a value. A field with no more
+        values than classes is exact.
 
     Each class is a material `rock-00`, `rock-01` ... of the case with a group of the same name, so summary, stages and checks know them.
     Other groups stay. Elements that a stage excavates keep what they are made of.
@@ -54,7 +54,8 @@ class Field:
         case, mesh, _ = job._field(name)
         keys = case.to_dict()
         if self._material not in keys["material"]:
-            raise Error(f"no material is called {self._material!r}; there are {', '.join(keys['material'])}; write job.field(\"rock.young\")")
+            there = ", ".join(keys["material"])
+            raise Error(f'no material is called {self._material!r}; there are {there}; write job.field("rock.young")')
         value = case._number(self._material, self._key)
         if value is None or self._key not in keys["material"][self._material]:
             raise Error(f"the material has no number {self._key!r}; it has {', '.join(keys['material'][self._material])}")
@@ -72,8 +73,8 @@ class Field:
         """The values (n,) in SI that the job computes with."""
         given = self._all()
         classes = _classes(self.name, given, np.ones(len(given), bool), self.classes)
-        means = np.bincount(classes, given) / np.maximum(np.bincount(classes), 1)
-        return means[classes]
+        means: np.ndarray = np.bincount(classes, given) / np.maximum(np.bincount(classes), 1)
+        return np.asarray(means[classes])
 
     def __getitem__(self, at: Any) -> Any:
         return self._all()[at]

@@ -24,8 +24,9 @@ def artificial(
     """Motions of `duration` [s] with random phases whose spectra are a target's within `tolerance` in a band of periods [s], of mutual
     correlation below 0.3: those of `tremolite motion artificial`. Equal seeds give equal motions.
 
-    Full strength is reached at `rise` [s] and left at `fall` [s]; left out, at a seventh and three fifths of the duration. `dt` [s] may become
-    finer. Each is a `Channel` towards east; `dataclasses.replace(channel, azimuth=0.0)` turns it. Raises `Error` where phases give none that fits.
+    Full strength is reached at `rise` [s] and left at `fall` [s]; left out, at a seventh and three fifths of the duration. `dt` [s] may
+    become finer. Each is a `Channel` towards east; `dataclasses.replace(channel, azimuth=0.0)` turns it. Raises `Error` where phases
+    give none that fits.
     """
     made, _ = artificial_record(_target(target), band, (duration, rise, fall), dt, (seed, count), tolerance)
     return [replace(channel, azimuth=90.0) for channel in made]
@@ -58,12 +59,11 @@ def select(
     band: tuple[float, float] | None = None,
     factors: tuple[float, float] = (0.25, 4.0),
 ) -> list[Candidate]:
-    """The horizontal components of records by how near their spectra are to a target in shape, nearest first, those apart whose factor is not
-    within `factors`: as `tremolite motion select`, which first takes off the line of best fit (`motion.process("detrend linear")`)."""
+    """The horizontal components of records by how near their spectra are to a target in shape, nearest first, those apart whose factor is
+    not within `factors`: as `tremolite motion select`, which first takes off the line of best fit (`motion.process("detrend linear")`)."""
     places = [(k, c) for k, motion in enumerate(motions) for c, channel in enumerate(motion) if not channel.up]
     if not places:
         raise Error("there is no horizontal component to choose from")
     chosen = [motions[k][c] for k, c in places]
     found, _ = select_records(Motion(chosen), _target(target), band, factors)
     return [Candidate(*places[at], chosen[at].name, *numbers) for at, *numbers in found]
-

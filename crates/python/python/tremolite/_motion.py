@@ -70,8 +70,8 @@ class Channel:
         return spectrum(self.acceleration, self.dt, list(map(float, periods)), damping)
 
     def match(self, target: Target | str, *, band: tuple[float, float] | None = None, tolerance: float = 0.05) -> Channel:
-        """It made to fit a target spectrum within `tolerance` at 200 periods of a band [s], by wavelets added in time (Al Atik and Abrahamson 2010),
-        at rest at its end: what `tremolite motion match` makes. Its sampling may be finer.
+        """It made to fit a target spectrum within `tolerance` at 200 periods of a band [s], by wavelets added in time (Al Atik and
+        Abrahamson 2010), at rest at its end: what `tremolite motion match` makes. Its sampling may be finer.
 
         Raises `Error` where it comes no nearer, with how near it came.
         """
@@ -79,8 +79,8 @@ class Channel:
         return replace(made[0], name=self.name, origin=self.origin)
 
     def misfit(self, target: Target | str, *, band: tuple[float, float] | None = None) -> dict[str, float]:
-        """How far its spectrum is from a target's in a band of periods [s]: `largest` |Sa/target - 1| and the `period` [s] where it is, `rms` of
-        the same, and the `factor` that would bring it to the target in the mean of the logarithm."""
+        """How far its spectrum is from a target's in a band of periods [s]: `largest` |Sa/target - 1| and the `period` [s] where it is,
+        `rms` of the same, and the `factor` that would bring it to the target in the mean of the logarithm."""
         found, factor = misfit_of(Motion([self]), _target(target), band)
         return {**found, "factor": factor}
 
@@ -115,13 +115,13 @@ class Motion:
         return f"<Motion of {names}; {len(self.channels[0].acceleration)} samples of {self.channels[0].dt} s>"
 
     def match(self, target: Target | str, *, band: tuple[float, float] | None = None, tolerance: float = 0.05) -> Motion:
-        """It with its horizontal components made to fit a target spectrum, each by itself: see `Channel.match`. What looks up stays as it is, since
-        the target is horizontal."""
+        """It with its horizontal components made to fit a target spectrum, each by itself: see `Channel.match`. What looks up stays as it
+        is, since the target is horizontal."""
         return Motion(c if c.up else c.match(target, band=band, tolerance=tolerance) for c in self.channels)
 
     def factor_to(self, target: Target | str, *, band: tuple[float, float] | None = None) -> float:
-        """The one factor for all components that brings the geometric mean of the horizontal ones to a target over a band of periods [s], in the
-        mean of the logarithm: `motion.scaled(motion.factor_to(target))`."""
+        """The one factor for all components that brings the geometric mean of the horizontal ones to a target over a band of periods [s],
+        in the mean of the logarithm: `motion.scaled(motion.factor_to(target))`."""
         factors = [c.misfit(target, band=band)["factor"] for c in self.channels if not c.up]
         if not factors:
             raise Error("the record has no horizontal component, which the target is of")
@@ -261,7 +261,10 @@ def _factor(trace: Any, units: str | None) -> float:
         return _UNITS[units]
     done = " ".join(trace.stats.get("processing", []))
     if "integrate(" in done or "differentiate(" in done:
-        raise Error(f'{trace.id} was integrated or differentiated: say in which unit its accelerations are, units="m/s2", or give the record before that')
+        raise Error(
+            f"{trace.id} was integrated or differentiated: say in which unit its accelerations are, "
+            'units="m/s2", or give the record before that'
+        )
     if "remove_response" in done and ("output='ACC'" in done or 'output="ACC"' in done):
         return 1.0
     # ObsPy leaves counts of K-NET and KiK-net as they are, and puts the factor to m/s² beside them.

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Self
 
+from ._by_element import Field
 from ._mesh import Mesh
 from ._motion import Motion
+from ._own import NodalForce, Observer
 from ._results import Result
 
 __version__: str

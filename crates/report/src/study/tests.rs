@@ -143,7 +143,9 @@ fn a_page_in_chinese_is_chinese_throughout() {
     all.write(&out.path().join("study.json")).unwrap();
     let text = fs::read_to_string(study(out.path(), None).unwrap()).unwrap();
     assert!(
-        text.contains("<html lang=\"zh-CN\">") && text.contains("易损性曲线") && text.contains("尚待计算"),
+        text.contains("<html lang=\"zh-CN\">")
+            && text.contains("易损性曲线")
+            && text.contains("3 次计算至结束"),
         "{text}"
     );
     let names = [all.title.as_str(), "It became <unstable>.", "the data are separated"];
