@@ -380,6 +380,13 @@ fn a_leader_that_was_killed_does_not_go_through_its_stages_again() {
     assert!(bytes(folder, "out/study.csv") == table);
     let other = folder.join("out/runs/s1_north_0.02-m-s/results/log.txt");
     assert!(fs::read_to_string(other).unwrap().contains("--from"));
+
+    // Of another version they cannot be gone on from: it begins anew.
+    fs::write(&began, "of another version").unwrap();
+    fs::remove_file(results.join("summary.json")).unwrap();
+    let again = study(folder, &["--out", "out"]);
+    assert_eq!(again.status.code(), Some(0), "{}", said(&again));
+    assert!(kept("monitors.csv") == monitors && bytes(folder, "out/study.csv") == table);
 }
 
 #[test]

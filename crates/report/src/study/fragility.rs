@@ -92,7 +92,7 @@ pub fn caption(f: &StudyFragility, language: Language) -> String {
     }];
     if !f.left_out.is_empty() {
         let parts: Vec<String> =
-            f.left_out.iter().map(|(why, n)| format!("{n} {}", language.pattern(why))).collect();
+            f.left_out.iter().map(|(why, n)| format!("{n} {}", word(why, language))).collect();
         text.push(say!(language, "Left out: {parts}.", parts = parts.join(", ")));
     }
     if !f.no_curve.is_empty() {
@@ -106,9 +106,30 @@ pub fn caption(f: &StudyFragility, language: Language) -> String {
             all = b.samples + b.without
         )),
         _ if f.fit.is_some() && !f.no_bounds.is_empty() => {
-            text.push(say!(language, "No bounds: {why}.", why = language.pattern(&f.no_bounds)));
+            text.push(say!(language, "No bounds: {why}.", why = word(&f.no_bounds, language)));
         }
         _ => {}
     }
     language.joined(&text)
+}
+
+/// A word of study.json in the page's language; itself where this version does not know it.
+pub fn word(english: &str, language: Language) -> String {
+    match english {
+        "binomial" => say!(language, "binomial"),
+        "truncated" => say!(language, "truncated"),
+        "without an intensity" => say!(language, "without an intensity"),
+        "without the measure" => say!(language, "without the measure"),
+        "failed" => say!(language, "failed"),
+        "restless" => say!(language, "restless"),
+        "broken" => say!(language, "broken"),
+        "pending" => say!(language, "pending"),
+        "there is one record alone, and nothing to draw from" => {
+            say!(language, "there is one record alone, and nothing to draw from")
+        }
+        "fewer than half of the samples have a curve: there are too few records" => {
+            say!(language, "fewer than half of the samples have a curve: there are too few records")
+        }
+        other => other.to_owned(),
+    }
 }

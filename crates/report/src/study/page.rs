@@ -6,7 +6,7 @@ use serde::Serialize;
 use tremolite_results::study::{RunStatus, Study, StudyRun};
 
 use super::Figure;
-use super::fragility::{caption, limit, over};
+use super::fragility::{caption, limit, over, word};
 use super::paper::{measured, told};
 use crate::language::{Language, say};
 use crate::page::templates::{STYLE, environment, markup};
@@ -176,7 +176,7 @@ fn fit(study: &Study, language: Language, f: &tremolite_results::study::StudyFra
         of_beta,
         error,
         correlation,
-        language.pattern(&f.method).to_owned(),
+        word(&f.method, language),
         caption(f, language),
     ]
 }
