@@ -209,7 +209,7 @@ pub trait Part: Send + Sync {
         out.fill(Row::ZERO);
     }
     /// C w of forces that go by v⁻, as artificial viscosity does, without damage: the stable step goes by it, in models
-    /// of which a body has such viscosity. Says whether there are any; `out` is left alone where there are none.
+    /// of which a body has such viscosity or a program's own part does. Says whether there are any; `out` is left alone where there are none.
     fn viscosity_times(&self, _w: &[Row], _out: &mut [Row], _scratch: &mut Scratch) -> bool {
         false
     }

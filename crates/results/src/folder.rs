@@ -75,7 +75,7 @@ impl ResultFolder {
     }
 
     /// Opens the folder whose run is to be resumed: `base`, or else the last of `results/<case
-    /// name>`, `-2`, `-3` … that holds a checkpoint.
+    /// name>`, `-2`, `-3` … that holds a checkpoint, or what its earthquake began with where the run was killed before its first.
     ///
     /// # Errors
     /// [`Error::NoResults`] if there is no checkpoint; [`Error::Busy`] if a run writes into the folder.
@@ -101,7 +101,9 @@ impl ResultFolder {
 
     fn with_checkpoint(root: PathBuf) -> Result<Self, Error> {
         let folder = ResultFolder { root, _lock: None };
-        let goes_on = |entry: fs::DirEntry| entry.file_name() != HAND_OVER;
+        // A run that ended keeps what it shook from for others alone; one that was killed goes on with it.
+        let ended = folder.summary().exists();
+        let goes_on = |entry: fs::DirEntry| !ended || entry.file_name() != HAND_OVER;
         match fs::read_dir(folder.checkpoint()).map(|mut entries| entries.any(|e| e.is_ok_and(goes_on))) {
             Ok(true) => Ok(folder),
             _ => Err(no_checkpoint(&folder.root)),

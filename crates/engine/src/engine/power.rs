@@ -2,14 +2,15 @@
 //!
 //! Artificial viscosity C′ acts at v⁻, so that Δt²K + 2Δt C′ ≤ 4M is needed, Δt ≤ 2/√λmax(M⁻¹(K + 2C′/Δt)). Since
 //! 2b/ω_e K_e weighs at most as b of the element's critical damping, Δt₀(√(1 + b²) − b) with the largest b and the step Δt₀
-//! without viscosity satisfies that; put in on the right it gives a step that is longer and satisfies it too.
+//! without viscosity satisfies that; put in on the right it gives a step that is longer and satisfies it too. A program's own part may have any
+//! C′. With Δt₀ on the right Δt₀λ/2 is at least c = λmax(M⁻¹C′), and (√(c² + 4k) − c)/k with k = λmax(M⁻¹K) satisfies it as well.
 //!
 //! Dashpots act on the mean of v⁻ and v⁺ and take energy in every step whatever its length, so they bound nothing.
 
 use super::highest::{Highest, follow, highest};
 use super::product::Product;
 use crate::assembly::Assembly;
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
@@ -110,10 +111,18 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
     let share = model.elements.viscosity[..model.user.elements].iter().copied().fold(0.0, f64::max);
     let mut dt_stiffness = undamped;
     let dashpots = model.seams.iter().any(|seam| seam.damping > 0.0);
-    if share > 0.0 || dashpots {
+    let own = own_viscosity(assembly, phase);
+    if share > 0.0 || dashpots || own {
         let mut mode = w.clone();
         dt_stiffness = undamped * viscous_share(share);
-        for _ in 0..VISCOUS_ROUNDS {
+        let mut rounds = VISCOUS_ROUNDS;
+        if own {
+            let with = highest(model, assembly, phase, Product::Viscous(2.0 / undamped), &mut mode);
+            let c = 0.5 * undamped * with.lambda;
+            dt_stiffness = ((c * c + 4.0 * lambda).sqrt() - c) / lambda;
+            rounds = OWN_ROUNDS;
+        }
+        for _ in 0..rounds {
             let with = highest(model, assembly, phase, Product::Viscous(2.0 / dt_stiffness), &mut mode);
             dt_stiffness = 2.0 / with.lambda.sqrt();
         }
@@ -122,7 +131,11 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
     let xi = model.scheme.rayleigh.stiffness;
     let damping_rate = model.scheme.rayleigh.mass + xi * lambda;
     let dt_damping = if damping_rate > 0.0 { 2.0 / damping_rate } else { f64::INFINITY };
-    let limit = if dt_stiffness <= dt_damping { hottest(model, assembly, phase, &w) } else { Limit::Damping };
+    let limit = if dt_stiffness <= dt_damping {
+        hottest(model, assembly, phase, &w, dt_stiffness)
+    } else {
+        Limit::Damping
+    };
     StableStep {
         dt: dt_stiffness.min(dt_damping),
         undamped,
@@ -137,14 +150,27 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
 
 /// Rounds that bring the step with viscosity up to its limit; the second gains less than a thousandth.
 const VISCOUS_ROUNDS: usize = 2;
+/// The same where a program's own part is viscous: the bound that they begin with may be a third of the limit.
+const OWN_ROUNDS: usize = 8;
+
+/// Whether a program's own part has forces that go by v⁻.
+fn own_viscosity(assembly: &Assembly, phase: &Phase) -> bool {
+    let own = phase.active.iter().map(|&m| &assembly.members[m as usize]);
+    own.filter(|member| member.kind == Kind::Own).any(|Member { part, .. }| {
+        let nodes = part.nodes();
+        let still = vec![Row::ZERO; nodes.iter().max().map_or(0, |&most| most as usize + 1)];
+        part.viscosity_times(&still, &mut vec![Row::ZERO; nodes.len()], &mut Scratch::default())
+    })
+}
 
 /// √(1 + b²) − b: what artificial viscosity b leaves of the step where it acts on every element.
 pub fn viscous_share(viscosity: f64) -> f64 {
     (1.0 + viscosity * viscosity).sqrt() - viscosity
 }
 
-/// Where the mode `w` stores most energy: an element of the mesh, or a node of a part without elements.
-fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row]) -> Limit {
+/// Where the mode `w` stores most energy, or loses most to a program's own part in a step of `dt` \[s\]: an element of the mesh, or a node of
+/// a part without elements.
+fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row], dt: f64) -> Limit {
     let mut scratch = Scratch::default();
     let mut best = (0.0, Limit::Element(0));
     for &m in &phase.active {
@@ -161,6 +187,13 @@ fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row]) -> Limi
         }
         let mut out = vec![Row::ZERO; part.nodes().len()];
         part.stiffness_times(w, &mut out, &mut scratch);
+        let mut viscous = vec![Row::ZERO; out.len()];
+        // Contact dashpots weigh less than the pairs that they are at.
+        if *kind == Kind::Own && part.viscosity_times(w, &mut viscous, &mut scratch) {
+            for (own, more) in out.iter_mut().zip(&viscous) {
+                (0..3).for_each(|i| own.0[i] += 2.0 / dt * more.0[i]);
+            }
+        }
         for (&node, f) in part.nodes().iter().zip(&out) {
             let x = w[node as usize];
             let energy = 0.5 * (f.0[0] * x.0[0] + f.0[1] * x.0[1] + f.0[2] * x.0[2]);
