@@ -95,11 +95,19 @@ pub(super) fn cut(mesh: &Mesh, cut: &Cut, parts: &[u32], earlier: &[Plane]) -> R
     for trial in 0..TRIES {
         let choice = cheapest(&ground.prices(&dearer));
         let mut bad: BTreeSet<u32> = BTreeSet::new();
+        let mut moved_too_far = false;
         if let Some(edge) = choice.edges.iter().find(|edge| ground.on_a_side(**edge)) {
             trouble = mesh.nodes[edge[0] as usize];
         } else {
             for rings in RINGS {
                 let moves = ground.spread(&choice, rings);
+                // Partners that want unlike ways leave nodes off the plane, which may bend by little.
+                if let Some(n) = ground.too_far(&choice, &moves) {
+                    trouble = mesh.nodes[n as usize];
+                    *dearer.nodes.entry(n).or_insert(1.0) *= 4.0;
+                    moved_too_far = true;
+                    break;
+                }
                 match Pieces::of(&ground, &choice, moves) {
                     Ok(pieces) => {
                         let (score, poor) = pieces.score(&ground);
@@ -115,7 +123,7 @@ pub(super) fn cut(mesh: &Mesh, cut: &Cut, parts: &[u32], earlier: &[Plane]) -> R
                 }
             }
         }
-        if bad.is_empty() {
+        if bad.is_empty() && !moved_too_far {
             break;
         }
         for element in bad {
@@ -303,6 +311,18 @@ impl<'a> Ground<'a> {
         }
         moves.retain(|_, way| *way != [0.0; 3]);
         moves
+    }
+
+    /// The chosen node that stays farthest off the plane, if that is more than the plane may bend.
+    fn too_far(&self, choice: &Choice, moves: &BTreeMap<u32, [f64; 3]>) -> Option<u32> {
+        let left = |n: u32| {
+            let way = moves.get(&n).copied().unwrap_or_default();
+            let x = self.at(n);
+            let off = self.plane.distance(std::array::from_fn(|i| x[i] + way[i]));
+            self.share(n, self.plane.normal.map(|c| -off * c))
+        };
+        let worst = choice.nodes.iter().map(|&n| (left(n), n)).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        (worst.0 > MOST_BEND).then_some(worst.1)
     }
 
     /// A node with those that move with it.

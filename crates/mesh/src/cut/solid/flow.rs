@@ -97,7 +97,8 @@ mod tests {
     fn the_cheapest_of_all_cuts_is_found() {
         // Four points on one side, three on the other; all 2^7 choices are tried.
         let costs = [3.0, 1.0, 2.0, 5.0, 2.0, 4.0, 1.5];
-        let links = [(0, 4, 1.0), (0, 5, 9.0), (1, 5, 2.0), (2, 6, 0.5), (3, 6, 9.0), (3, 4, 9.0), (2, 5, 3.0)];
+        let links =
+            [(0, 4, 1.0), (0, 5, 9.0), (1, 5, 2.0), (2, 6, 0.5), (3, 6, 9.0), (3, 4, 9.0), (2, 5, 3.0)];
         let price = |taken: &[bool]| -> f64 {
             let points: f64 = (0..7).filter(|&p| taken[p]).map(|p| costs[p]).sum();
             let open = links.iter().filter(|(a, b, _)| !taken[*a] && !taken[*b]);

@@ -298,13 +298,7 @@ fn number(ids: &mut Vec<u64>, count: usize) {
 }
 
 /// The elements above and below that have a face on the plane whose middle lies within its extent.
-fn beside(
-    mesh: &Mesh,
-    cut: &Cut,
-    extent: f64,
-    side: &[i8],
-    on: impl Fn(u32) -> bool,
-) -> [Vec<u32>; 2] {
+fn beside(mesh: &Mesh, cut: &Cut, extent: f64, side: &[i8], on: impl Fn(u32) -> bool) -> [Vec<u32>; 2] {
     let down = {
         let level = cross(cut.plane.normal, [0.0, 0.0, 1.0]);
         // A level plane reaches as far every way.

@@ -48,13 +48,14 @@ pub(super) fn clip(
     let n = ring.len();
     let start = (0..n).find(|&k| ring[k].1 == 1 && ring[(k + n - 1) % n].1 != 1)?;
     ring.rotate_left(start);
-    let runs: Vec<(i8, Vec<u32>)> = ring.iter().fold(Vec::new(), |mut runs: Vec<(i8, Vec<u32>)>, (node, s)| {
-        match runs.last_mut() {
-            Some((last, nodes)) if last == s => nodes.push(*node),
-            _ => runs.push((*s, vec![*node])),
-        }
-        runs
-    });
+    let runs: Vec<(i8, Vec<u32>)> =
+        ring.iter().fold(Vec::new(), |mut runs: Vec<(i8, Vec<u32>)>, (node, s)| {
+            match runs.last_mut() {
+                Some((last, nodes)) if last == s => nodes.push(*node),
+                _ => runs.push((*s, vec![*node])),
+            }
+            runs
+        });
     let [(1, above), (0, first), (-1, below), (0, second)] = &runs[..] else { return None };
     // Of several nodes on the plane the one with the smallest number is the corner, for both neighbours.
     let smallest = |run: &Vec<u32>| run.iter().enumerate().min_by_key(|(_, n)| **n).map(|(k, _)| k);
@@ -293,7 +294,13 @@ fn apart(faces: &Faces, ring: &[u32]) -> Option<[Faces; 2]> {
     for (f, face) in faces.iter().enumerate() {
         for (k, &a) in face.iter().enumerate() {
             let b = face[(k + 1) % face.len()];
-            let here = if is(a, b) { 0 } else if is(b, a) { 1 } else { continue };
+            let here = if is(a, b) {
+                0
+            } else if is(b, a) {
+                1
+            } else {
+                continue;
+            };
             if side[f].replace(here).is_some_and(|s| s != here) {
                 return None;
             }
