@@ -340,7 +340,7 @@ fn apart(faces: &Faces, ring: &[u32]) -> Option<[Faces; 2]> {
     // Faces of side 0 run along the ring, so their lid runs against it.
     halves[0].push(back);
     halves[1].push(ring.to_vec());
-    halves.iter().all(|half| closed(half)).then_some(halves)
+    halves.iter().all(closed).then_some(halves)
 }
 
 /// Whether every edge is met once each way.
