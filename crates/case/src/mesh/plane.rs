@@ -10,8 +10,9 @@ use crate::keys::{Key, Kind, Table};
 
 pub(super) static PLANE: Table = Table {
     path: "mesh.plane",
-    doc: "A plane that cuts generated ground, a fault or the border of a layer: nodes move onto it and elements part along it. Its \
-          strike is that of the caverns, along y. Its sides are the groups `NAME.above` and `NAME.below`, beside those that are there: \
+    doc: "A plane that cuts generated ground, a fault or the border of a layer: nodes move onto it and elements part along it. One \
+          that strikes along y, as the caverns do, leaves wedges alone; others divide elements into pyramids and tetrahedra as well. Its \
+          sides are the groups `NAME.above` and `NAME.below`, beside those that are there: \
           all elements but linings and shotcrete, which stay whole; of a plane with an `extent` those that touch it. An [[interface]] \
           between the two lets it slide and open.",
     keys: &[
