@@ -30,14 +30,14 @@ impl OuterFaces {
         let near = |node: u32, axis: usize, level: f64| {
             (mesh.nodes[node as usize][axis] - level).abs() <= NEAR * (high[axis] - low[axis])
         };
+        // Few elements reach an outer plane, so these are sought before faces that two of them share are left out.
+        let reaches = |n: u32| (0..3).any(|axis| near(n, axis, low[axis]) || near(n, axis, high[axis]));
+        let outer = |e: &u32| mesh.elements[*e as usize].nodes().iter().any(|&n| reaches(n));
+        let outer: Vec<u32> = elements.par_iter().copied().filter(outer).collect();
         let planes = [0, 1, 2].map(|axis| {
             [low[axis], high[axis]].map(|level| {
-                // Few are on a plane, so these are sought before those that others share are left out.
                 let on = |face: &Face| mesh.face_nodes(*face).all(|n| near(n, axis, level));
-                let touches =
-                    |e: &u32| mesh.elements[*e as usize].nodes().iter().any(|&n| near(n, axis, level));
-                let some: Vec<u32> = elements.par_iter().copied().filter(touches).collect();
-                unshared(mesh, all_faces(mesh, Some(&some)).filter(on))
+                unshared(mesh, all_faces(mesh, Some(&outer)).filter(on))
             })
         });
         OuterFaces { planes, bounds }

@@ -1,9 +1,10 @@
 //! Planes that cut a mesh: nodes move onto the plane, and elements part along it.
 //!
-//! What is extruded along y is cut in its section by planes that strike along y. The plane is a line there, and a way of edges and diagonals of the elements near it
-//! is looked for (`path.rs`): its nodes go onto the line, and a quadrilateral that it crosses becomes two triangles. No node is added and no
-//! edge parted, so an element that the line passes by keeps its shape, and neighbours match by themselves. What must stay whole,
-//! linings, is passed: the way ends at its outer face and goes on from its inner one, whose nodes slide along their outline.
+//! What is extruded along y is cut in its section by planes that strike along y. The plane is a line there, and a way of edges and
+//! diagonals of the elements near it is looked for (`path.rs`): its nodes go onto the line, and a quadrilateral that it crosses becomes
+//! two triangles. No node is added and no edge parted, so an element that the line passes by keeps its shape, and neighbours match by
+//! themselves. What must stay whole, linings, is passed: the way ends at its outer face and goes on from its inner one, whose nodes slide
+//! along their outline.
 //! Other planes and other meshes are cut in space (`solid.rs`), where linings are divided as the rest but belong to neither side.
 
 mod apply;

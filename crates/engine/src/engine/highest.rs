@@ -61,7 +61,11 @@ pub fn highest(
         );
         follow(phase, &mut residual.of);
         multiply(&mut residual);
-        let Some((best, shares)) = ritz(grams(model, phase, [&mode, &residual, &step])) else { break };
+        let Some((best, shares)) = ritz(grams(model, phase, [&mode, &residual, &step])) else {
+            // Nothing is left of the residual: the mode is exact.
+            found.change = 0.0;
+            break;
+        };
         let [a, b, c] = shares;
         let of = mode.of.par_iter_mut().zip(&mut step.of).zip(&residual.of);
         let times = mode.times.par_iter_mut().zip(&mut step.times).zip(&residual.times);

@@ -103,7 +103,8 @@ fn hash(x: u64) -> u64 {
 
 /// The stable step by the largest λ of M⁻¹K, with the elastic stiffness (springs of the boundary included).
 ///
-/// The estimate approaches λmax from below, by less than 10⁻⁵ in its last iteration (`knyazev2001`). Callers keep a margin ([`crate::problem::TimeStep::safety`], 0.9 by default).
+/// The estimate approaches λmax from below, by less than 10⁻⁵ in its last iteration (`knyazev2001`). Callers keep a margin
+/// ([`crate::problem::TimeStep::safety`], 0.9 by default).
 pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableStep {
     let mut w = start(model, phase);
     let Highest { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
-use tremolite_results::{HAND_OVER, replace_file};
+use tremolite_results::{ResultFolder, replace_file};
 use tremolite_study::outcome::RunFolder;
 
 /// How often a process is asked whether it still runs.
@@ -52,10 +52,7 @@ impl Held {
 
     /// Whether there is a checkpoint to go on from, or what the earthquake begins with.
     fn goes_on(&self) -> bool {
-        let results = self.folder.results();
-        let ended = results.join("summary.json").exists();
-        let goes_on = |entry: fs::DirEntry| !ended || entry.file_name() != HAND_OVER;
-        fs::read_dir(results.join("checkpoint")).is_ok_and(|mut all| all.any(|e| e.is_ok_and(goes_on)))
+        ResultFolder::goes_on(&self.folder.results())
     }
 
     /// Runs it or goes on with it, from what another has come to before its earthquake where that is given.
