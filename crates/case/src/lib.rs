@@ -67,8 +67,8 @@ pub use laws::Laws;
 pub use listing::{Listed, ListedValue, bolt_keys, interface_keys, mesh_tables};
 pub use material::Material;
 pub use mesh::{
-    Axis, Cavern, CavernShape, Caverns, CutPlane, Gallery, Ground, GroundSurface, GroupPlace, Length, Lining,
-    Mesh, MeshBox, MeshFile, MeshPart, PlacedGroup, PlaneAt, RockLayer, Shotcrete,
+    Axis, Cavern, CavernShape, Caverns, CutPlane, Gallery, Ground, GroundSurface, GroupPlace, HoleLining,
+    Length, Lining, Mesh, MeshBox, MeshFile, MeshPart, PlacedGroup, PlaneAt, RockLayer, Shotcrete,
 };
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};

@@ -12,6 +12,7 @@ mod fault;
 mod format;
 pub mod gmsh;
 pub mod grading;
+pub mod hole;
 mod input;
 mod isoparametric;
 pub mod locate;

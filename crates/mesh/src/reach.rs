@@ -14,6 +14,20 @@ use crate::topology::{all_faces, face_key};
 /// # Panics
 /// If an element is not in the mesh.
 pub fn nearest_through_faces(mesh: &Mesh, targets: &[u32], seeds: &[Vec<u32>]) -> Vec<Option<usize>> {
+    nearest_with_holes(mesh, targets, seeds, &[])
+}
+
+/// As [`nearest_through_faces`], where the first set has members that are no elements, as a hole in the mesh has: `beside` are the
+/// targets that share a face with one of these.
+///
+/// # Panics
+/// If an element is not in the mesh.
+pub fn nearest_with_holes(
+    mesh: &Mesh,
+    targets: &[u32],
+    seeds: &[Vec<u32>],
+    beside: &[u32],
+) -> Vec<Option<usize>> {
     let mut nearest: Vec<Option<usize>> = vec![None; mesh.elements.len()];
     for (set, elements) in seeds.iter().enumerate().rev() {
         elements.iter().for_each(|&e| nearest[e as usize] = Some(set));
@@ -24,8 +38,9 @@ pub fn nearest_through_faces(mesh: &Mesh, targets: &[u32], seeds: &[Vec<u32>]) -
 
     let mut front: Vec<u32> =
         (0..mesh.elements.len() as u32).filter(|&e| nearest[e as usize].is_some()).collect();
-    while !front.is_empty() {
-        let mut reached: Vec<(u32, Option<usize>)> = Vec::new();
+    let mut reached: Vec<(u32, Option<usize>)> =
+        beside.iter().filter(|&&e| waits[e as usize]).map(|&e| (e, Some(0))).collect();
+    while !front.is_empty() || !reached.is_empty() {
         for &e in &front {
             let from = neighbours.partition_point(|pair| pair.0 < e);
             let beside = neighbours[from..].iter().take_while(|pair| pair.0 == e).map(|pair| pair.1);
@@ -38,7 +53,7 @@ pub fn nearest_through_faces(mesh: &Mesh, targets: &[u32], seeds: &[Vec<u32>]) -
             nearest[e as usize] = set;
             waits[e as usize] = false;
         }
-        front = reached.into_iter().map(|(e, _)| e).collect();
+        front = reached.drain(..).map(|(e, _)| e).collect();
     }
     targets.iter().map(|&e| nearest[e as usize]).collect()
 }
@@ -75,6 +90,17 @@ mod tests {
         assert_eq!(found, [1, 1, 1, 0, 0, 0, 0].map(Some));
         let found = nearest_through_faces(&mesh, &targets, &[vec![0], vec![8], vec![0, 8]]);
         assert_eq!(found, [0, 0, 0, 0, 1, 1, 1].map(Some));
+    }
+
+    #[test]
+    fn a_hole_is_a_step_away_from_what_is_beside_it() {
+        // A row of nine with a hole at its end, and a seed at the other, or in the middle.
+        let mesh = grid([9, 1, 1]);
+        let found = nearest_with_holes(&mesh, &[0, 1, 2, 3, 4, 5, 6, 7], &[vec![], vec![8]], &[0]);
+        assert_eq!(found, [0, 0, 0, 0, 1, 1, 1, 1].map(Some));
+        let found = nearest_with_holes(&mesh, &[0, 1, 2], &[vec![], vec![3]], &[0]);
+        assert_eq!(found, [0, 0, 1].map(Some));
+        assert_eq!(nearest_with_holes(&mesh, &[0, 1, 3], &[vec![]], &[0]), [Some(0), Some(0), None]);
     }
 
     #[test]

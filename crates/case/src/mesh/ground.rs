@@ -1,7 +1,8 @@
-//! What is made of a mesh once it is there: planes that cut generated ground, and groups by place.
+//! What is made of a mesh once it is there: planes that cut generated ground, groups by place, and linings of holes.
 
 use std::collections::BTreeSet;
 
+use super::lining::HoleLining;
 use super::place::PlacedGroup;
 use super::plane::CutPlane;
 use crate::Diagnostic;
@@ -14,6 +15,8 @@ pub struct Ground {
     pub planes: Vec<CutPlane>,
     /// Groups by place; names unique.
     pub groups: Vec<PlacedGroup>,
+    /// Linings of holes; names unique.
+    pub linings: Vec<HoleLining>,
 }
 
 impl Ground {
@@ -21,12 +24,14 @@ impl Ground {
         Some(Ground {
             planes: mesh.tables("plane").map(CutPlane::read).collect::<Option<_>>()?,
             groups: mesh.tables("group").map(PlacedGroup::read).collect::<Option<_>>()?,
+            linings: mesh.tables("lining").map(HoleLining::read).collect::<Option<_>>()?,
         })
     }
 
     /// What lies between keys.
     pub(crate) fn check(mesh: &Fields, problems: &mut Vec<Diagnostic>) {
         mesh.tables("group").for_each(|group| PlacedGroup::check(group, problems));
+        mesh.tables("lining").for_each(|lining| HoleLining::check(lining, problems));
         let generated = mesh.table("caverns").is_some() || mesh.table("box").is_some();
         if let (Some(_), Some(planes), false) = (mesh.table("file"), mesh.get("plane"), generated) {
             problems.push(Diagnostic::new(
@@ -35,7 +40,7 @@ impl Ground {
                 "mesh the plane with the file's own program, as docs/meshes.md says of Gmsh; [[mesh.group]] makes groups by place",
             ));
         }
-        for key in ["plane", "group"] {
+        for key in ["plane", "group", "lining"] {
             let mut names = BTreeSet::new();
             for name in mesh.tables(key).filter_map(|table| table.text("name")) {
                 if !names.insert(name.value.clone()) {

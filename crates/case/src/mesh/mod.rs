@@ -3,6 +3,7 @@
 mod bricks;
 mod caverns;
 mod ground;
+mod lining;
 mod place;
 mod plane;
 
@@ -15,6 +16,7 @@ pub use caverns::{
     Cavern, CavernShape, Caverns, Gallery, GroundSurface, Length, Lining, RockLayer, Shotcrete,
 };
 pub use ground::Ground;
+pub use lining::HoleLining;
 pub use place::{GroupPlace, PlacedGroup, PlaneAt};
 pub use plane::CutPlane;
 
@@ -39,6 +41,7 @@ pub(crate) static MESH: Table = Table {
         Key::optional("file", Kind::Table(&FILE), "", "A mesh made by another program"),
         Key::optional("plane", Kind::Tables(&plane::PLANE), "", "Planes that cut generated ground"),
         Key::optional("group", Kind::Tables(&place::GROUP), "", "Groups by place, one after the other"),
+        Key::optional("lining", Kind::Tables(&lining::LINING), "", "Linings of holes, one after the other"),
     ],
     choice: &[&["caverns"], &["box"], &["file"]],
 };

@@ -10,7 +10,7 @@ use crate::fields::{Fields, Node};
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::{Diagnostic, Spanned};
 
-const POINT: Kind = Kind::List(&COORDINATE, 3, 3);
+pub(super) const POINT: Kind = Kind::List(&COORDINATE, 3, 3);
 const DIP: Kind = Kind::Number(Dimension::ANGLE, Limit::Within(90.0 * PI / 180.0));
 const DIRECTION: Kind = Kind::Number(Dimension::ANGLE, Limit::Any);
 
@@ -170,13 +170,7 @@ impl PlacedGroup {
                 "give its two ends, `from` and `to`",
             ));
         }
-        if let Some([one, other]) = f.get("box").map(Node::list)
-            && let (Some(one), Some(other)) = (one.numbers::<3>(), other.numbers::<3>())
-            && let Some(axis) = (0..3).find(|&i| one.value[i] == other.value[i])
-        {
-            let message = format!("the box has no extent along {}", ["x", "y", "z"][axis]);
-            problems.push(Diagnostic::at(&other, message, "give two opposite corners"));
-        }
+        check_box(f, problems);
         if let Some(between) = f.table("between")
             && let Some(node) = between.get("planes")
             && between.tables("planes").count() != 2
@@ -197,6 +191,17 @@ impl PlacedGroup {
                 "give two levels",
             ));
         }
+    }
+}
+
+/// Whether a box has an extent.
+pub(super) fn check_box(f: &Fields, problems: &mut Vec<Diagnostic>) {
+    if let Some([one, other]) = f.get("box").map(Node::list)
+        && let (Some(one), Some(other)) = (one.numbers::<3>(), other.numbers::<3>())
+        && let Some(axis) = (0..3).find(|&i| one.value[i] == other.value[i])
+    {
+        let message = format!("the box has no extent along {}", ["x", "y", "z"][axis]);
+        problems.push(Diagnostic::at(&other, message, "give two opposite corners"));
     }
 }
 

@@ -9,7 +9,7 @@ use super::infos;
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
 use std::path::{Path, PathBuf};
-use tremolite::setup::{Inputs, group_mesh, mesh_of};
+use tremolite::setup::{Inputs, add_to_mesh, mesh_of};
 use tremolite_case::{Case, MeshAlone};
 use tremolite_mesh::cavern::CavernSpec;
 use tremolite_mesh::merge::merge_nodes;
@@ -38,6 +38,10 @@ enum Action {
         /// given several times
         #[arg(long, value_name = "KEYS")]
         group: Vec<String>,
+        /// After that, cast a lining against the walls of holes, with the keys of [[mesh.lining]]: 'name = "lining", thickness =
+        /// "0.4 m"'; may be given several times
+        #[arg(long, value_name = "KEYS")]
+        lining: Vec<String>,
     },
     /// Make the mesh that [mesh.caverns] describes, or a preset, and write it
     Cavern {
@@ -52,7 +56,9 @@ enum Action {
 pub fn run(args: &Args) -> Outcome {
     match &args.action {
         Action::Info(args) => info::run(args),
-        Action::Convert { from, to, placing, merge, group } => convert(from, to, placing, *merge, group),
+        Action::Convert { from, to, placing, merge, group, lining } => {
+            convert(from, to, placing, *merge, [("group", group), ("lining", lining)])
+        }
         Action::Cavern { what, out } => cavern(what, out),
     }
 }
@@ -87,7 +93,7 @@ fn convert(
     to: &Path,
     placing: &placing::Args,
     merge: Option<f64>,
-    groups: &[String],
+    more: [(&str, &[String]); 2],
 ) -> Outcome {
     let placement = placing.placement()?;
     let (mut mesh, _) = load(from)?;
@@ -101,21 +107,21 @@ fn convert(
         let merged = merge_nodes(&mut mesh, tolerance).map_err(Failure::input)?;
         say(&format!("{merged} nodes merged"));
     }
-    group(&mut mesh, groups)?;
+    add(&mut mesh, more)?;
     save_mesh(&mesh, to)
 }
 
-/// Makes groups by place of the keys that options give.
-fn group(mesh: &mut Mesh, options: &[String]) -> Result<(), Failure> {
-    if options.is_empty() {
-        return Ok(());
-    }
-    let entries: Vec<String> = options.iter().map(|keys| format!("  {{ {keys} }},\n")).collect();
+/// Makes groups by place and linings of the keys that options give.
+fn add(mesh: &mut Mesh, more: [(&str, &[String]); 2]) -> Result<(), Failure> {
     // As in a file that reads a mesh, so that keys and messages are the same.
-    let text = format!("mesh.file.path = \"-\"\nmesh.group = [\n{}]\n", entries.concat());
-    let read = MeshAlone::parse(Path::new("--group"), &text).map_err(|r| Failure::case(&r))?;
+    let mut text = "mesh.file.path = \"-\"\n".to_owned();
+    for (key, options) in more.into_iter().filter(|(_, options)| !options.is_empty()) {
+        let entries: Vec<String> = options.iter().map(|keys| format!("  {{ {keys} }},\n")).collect();
+        text += &format!("mesh.{key} = [\n{}]\n", entries.concat());
+    }
+    let read = MeshAlone::parse(Path::new("the command's options"), &text).map_err(|r| Failure::case(&r))?;
     let Some(read) = read else { return Ok(()) };
-    group_mesh(&read.mesh, &read.ground, mesh).map_err(|problems| Failure::case(&read.report(problems)))
+    add_to_mesh(&read.mesh, &read.ground, mesh).map_err(|problems| Failure::case(&read.report(problems)))
 }
 
 fn cavern(what: &str, out: &Path) -> Outcome {

@@ -1,7 +1,7 @@
 //! The mesh of a case: generated or read.
 
 use super::memory::{Inputs, in_memory};
-use super::{places, planes};
+use super::{holes, places, planes};
 use std::ops::Range;
 use std::path::Path;
 use tremolite_case::{self as case, Diagnostic};
@@ -42,6 +42,7 @@ pub fn build(
     built.warnings.extend(cut);
     let overlays: Vec<String> = ground.planes.iter().flat_map(planes::groups_of).collect();
     built.taken = places::group(mesh, &ground.groups, &overlays, &mut built.mesh, problems);
+    holes::line(&ground.linings, &mut built.mesh, problems);
     if let Err(why) = held.add_groups(&mut built.mesh) {
         problems.push(Diagnostic::new(
             0..0,

@@ -5,6 +5,7 @@ mod changes;
 mod doubts;
 pub(crate) mod facts;
 mod groups;
+mod holes;
 mod initial;
 mod inputs;
 mod interfaces;
@@ -81,17 +82,18 @@ pub fn mesh_of(
     Ok((mesh, warnings))
 }
 
-/// Makes groups by place in a mesh that is there, as a description of where it comes from has them.
+/// Makes groups by place in a mesh that is there, then linings of its holes, as a description of where it comes from has them.
 ///
 /// # Errors
 /// Why one cannot be made, at its place in the description; those before it are made then.
-pub fn group_mesh(
+pub fn add_to_mesh(
     source: &case::Mesh,
     ground: &case::Ground,
     mesh: &mut tremolite_mesh::Mesh,
 ) -> Result<(), Vec<case::Diagnostic>> {
     let mut problems = Vec::new();
     places::group(source, &ground.groups, &[], mesh, &mut problems);
+    holes::line(&ground.linings, mesh, &mut problems);
     if problems.is_empty() { Ok(()) } else { Err(problems) }
 }
 

@@ -17,6 +17,7 @@ mod free_field_file;
 mod ground;
 mod held;
 mod history;
+mod hole;
 mod job;
 mod layered;
 mod levels;

@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, HashSet};
 use tremolite_case::{Case, Diagnostic, Fill};
 use tremolite_engine::{Body, Life, Stage};
 use tremolite_mesh::Mesh;
-use tremolite_mesh::reach::nearest_through_faces;
+use tremolite_mesh::hole::walls;
+use tremolite_mesh::reach::nearest_with_holes;
 use tremolite_mesh::topology::all_faces;
 
 impl Staged {
@@ -173,12 +174,17 @@ impl Staged {
             (0u32..).zip(installed).filter(|(_, k)| k.is_some()).map(|(e, _)| e).collect();
         let void = (0u32..).zip(&self.body_of).filter(|(_, b)| b.is_none()).map(|(e, _)| e).collect();
         let seeds: Vec<Vec<u32>> = std::iter::once(void).chain(excavated.iter().cloned()).collect();
-        let nearest = nearest_through_faces(mesh, &targets, &seeds);
+        let holes: Vec<u32> = if targets.is_empty() {
+            Vec::new()
+        } else {
+            walls(mesh).into_iter().map(|face| face.element).collect()
+        };
+        let nearest = nearest_with_holes(mesh, &targets, &seeds, &holes);
         let beside = Beside::of(mesh, &self.body_of, installed);
         let mut refused: Vec<usize> = Vec::new();
         for (&e, nearest) in targets.iter().zip(nearest) {
             let Some(born) = installed[e as usize] else { continue };
-            // Void from the start: nothing stands in.
+            // Void, or a hole, from the start: nothing stands in.
             if nearest == Some(0) {
                 continue;
             }
