@@ -315,8 +315,9 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         for (k, point) in stress.iter().enumerate() {
             let (element, point_of_it) = (k / points, k % points);
             let first = 6 * (element / 8 * points + point_of_it);
-            for (octet, value) in history[first..].iter_mut().zip(point) {
-                octet.0[element % 8] = *value;
+            let own = R::local(&self.geometry[element / 8], element % 8, point);
+            for (octet, value) in history[first..].iter_mut().zip(own) {
+                octet.0[element % 8] = value;
             }
         }
         let law = Prescribed(self.elastic.moduli());

@@ -4,7 +4,7 @@ use super::weakened::Weakened;
 use std::marker::PhantomData;
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{
-    BrickField, FullGeometry, FullShape, Given, Hex8, LEFT, LayeredShape, Layers, MODAL_MEMORY,
+    BrickField, FieldShape, FullGeometry, FullShape, Given, Hex8, LEFT, LayeredShape, Layers, MODAL_MEMORY,
     OnePointShape, Probe, Stabilisation, Through, bricks_left, full, layered, layered_left, one_point,
 };
 use tremolite_laws::{Lane, Material, Octet, Point, Row};
@@ -22,6 +22,11 @@ pub trait Rule: Send + Sync + 'static {
         self.points() * MEMORY
     }
     fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation);
+
+    /// A stress of the element in a lane in the axes in which the law sees strains, from one in global axes.
+    fn local(_: &Self::Geometry, _lane: usize, stress: &[f64; 6]) -> [f64; 6] {
+        *stress
+    }
 
     /// Forces of one octet.
     ///
@@ -192,6 +197,9 @@ impl Rule for FullBricks {
     fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
         FullShape::set(geometry, lane, hex, elastic);
     }
+    fn local(geometry: &Self::Geometry, lane: usize, stress: &[f64; 6]) -> [f64; 6] {
+        geometry.local(stress, lane)
+    }
     #[inline(always)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
         &self,
@@ -248,6 +256,9 @@ impl<G: LayeredShape> Rule for Layered<G> {
     }
     fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
         geometry.set(lane, hex, elastic, self.0);
+    }
+    fn local(geometry: &Self::Geometry, lane: usize, stress: &[f64; 6]) -> [f64; 6] {
+        geometry.field().local(stress, lane)
     }
     #[inline(always)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(

@@ -281,6 +281,11 @@ impl FieldShape for BrickField {
     }
 
     #[inline(always)]
+    fn local<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L> {
+        self.turned(stress, at)
+    }
+
+    #[inline(always)]
     fn to_points<L: Lane>(e: &mut [[L; 8]; 6]) {
         to_nodes(&mut e[0]);
         to_nodes(&mut e[1]);

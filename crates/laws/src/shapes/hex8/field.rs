@@ -57,6 +57,9 @@ pub trait FieldShape: Copy + Send + Sync + 'static {
     /// A stress in global axes from one in those of the strain.
     fn global<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L>;
 
+    /// The inverse of [`FieldShape::global`].
+    fn local<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L>;
+
     /// From coefficients to values at 2×2×2 points, in place.
     fn to_points<L: Lane>(e: &mut [[L; 8]; 6]);
 
@@ -292,6 +295,11 @@ impl FieldShape for Field {
 
     #[inline(always)]
     fn global<L: Lane>(&self, stress: &Sym<L>, _: usize) -> Sym<L> {
+        *stress
+    }
+
+    #[inline(always)]
+    fn local<L: Lane>(&self, stress: &Sym<L>, _: usize) -> Sym<L> {
         *stress
     }
 
