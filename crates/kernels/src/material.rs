@@ -38,6 +38,9 @@ pub trait AnyMaterial: Send + Sync {
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
     fn warnings(&self) -> Vec<String>;
+    /// Whether bricks of several points have kernels of their own ([`AnyMaterial::patch`]). Laws see strains along the edges there, so
+    /// the history must know of no axes: that of a law that damages, or none.
+    fn has_bricks(&self) -> bool;
     /// A patch of hexahedra of this material. One-point elements of which all are bricks with natural axes along x, y and z
     /// ([`Hex8::upright`]) get kernels for those, and so do bricks of several points, wherever their edges point, of a law that damages or
     /// has no history ([`Hex8::is_brick`]). `corners` index `nodes`, which are the patch's (of layered elements numbered so that
@@ -128,6 +131,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
         self.law.warnings()
     }
 
+    fn has_bricks(&self) -> bool {
+        M::DAMAGES || M::HISTORY.is_empty()
+    }
+
     fn patch(
         &self,
         quadrature: Quadrature,
@@ -144,7 +151,7 @@ impl<M: Material> AnyMaterial for Instance<M> {
                 Box::new(Solid::new($rule, law, own, band, nodes, corners, geometry, viscosity, sizes, isa))
             };
         }
-        // In bricks of several points laws see strains along the edges, so a history must know of no axes.
+        // Said outright, so that kernels that no patch can have are not compiled.
         let bricks = (M::DAMAGES || M::HISTORY.is_empty()) && geometry.iter().all(Hex8::is_brick);
         match quadrature {
             Quadrature::OnePoint if geometry.iter().all(|hex| hex.upright() == Some(STRAIGHT)) => {

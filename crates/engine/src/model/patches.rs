@@ -58,7 +58,7 @@ pub(super) fn cut(
             let viscous = elements.viscosity[e as usize] > 0.0;
             let brick = hex(mesh, e as usize).is_ok_and(|hex| match body.quadrature {
                 Quadrature::OnePoint => hex.upright().is_some(),
-                Quadrature::Full | Quadrature::Layered(_) => hex.is_brick(),
+                Quadrature::Full | Quadrature::Layered(_) => body.material.has_bricks() && hex.is_brick(),
             });
             let (life, takes_over) = (elements.lives[e as usize], elements.successors.contains_key(&e));
             let lot = (life, takes_over, viscous, brick, levels.of_element(e));

@@ -1,6 +1,8 @@
 //! Fit and integration of the bodies.
 
 use super::*;
+use crate::lane::Octet;
+use crate::material::Sym;
 
 #[test]
 fn the_ratio_is_met_across_the_band_at_the_known_price() {
