@@ -5,8 +5,7 @@
 //! of the bodies' stress, and what they dissipate, goes by the point. The memory is that of seven points, however many there are.
 //! What whole bodies carry and take is integrated in closed form; points that damage has weakened take theirs off it.
 
-use super::layer::{at_point, in_layer, of_point};
-use super::layered::LayeredShape;
+use super::layer::{LayeredShape, at_point, in_layer, of_point};
 use super::quadrature::Through;
 use crate::band::{BODIES, BandStep};
 use crate::lane::{Lane, Octet};

@@ -5,7 +5,10 @@
 //! other over the points: elastic resultants are Hooke's stresses of the coefficients. Laws are isotropic, so they are given strains
 //! in that frame. Forces are those of the general element but for round-off.
 
+mod left;
 mod points;
+
+pub use left::bricks_left;
 
 use super::field::{FieldShape, Scale};
 use super::modal::VOIGT;

@@ -11,35 +11,12 @@
 use super::bodies::{self, Bodies};
 use super::field::{Field, FieldShape, G, Scale};
 use super::geometry::determinant_at;
-use super::layer::{add_elastic, add_layer, elastic_energy, in_layer, moments, of_point};
+use super::layer::{LayeredShape, add_elastic, add_layer, elastic_energy, in_layer, moments, of_point};
 use super::quadrature::Through;
 use super::{Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal};
 use crate::band::BandStep;
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Moduli, Point, load};
-
-/// Geometry of eight elements of several layers, whatever of it their shape needs.
-pub trait LayeredShape: Copy + Send + Sync + 'static {
-    type Field: FieldShape;
-    /// Without extent: forces from it are zero. Pads the last octet of a patch.
-    const EMPTY: Self;
-    /// Puts an element, numbered so that ζ is its thickness, into a lane.
-    fn set(&mut self, lane: usize, hex: &Hex8, elastic: &Stabilisation, through: &Through);
-    fn field(&self) -> &Self::Field;
-    /// Volume of a point in a layer \[m³\].
-    fn weight<L: Lane>(&self, through: &Through, layer: usize, q: usize, at: usize) -> L;
-    /// Adds to the resultants what a whole elastic material would of a strain with these coefficients, at all points at once.
-    fn add_elastic<L: Lane>(
-        &self,
-        through: &Through,
-        sums: &mut [[L; 8]; 6],
-        moduli: &Moduli,
-        e: &[[L; 8]; 6],
-        at: usize,
-    );
-    /// ∫ ½e:C:e \[J\] of a strain with these coefficients, over all points.
-    fn elastic_energy<L: Lane>(&self, through: &Through, moduli: &Moduli, e: &[[L; 8]; 6], at: usize) -> L;
-}
 
 /// Geometry of eight elements of any shape; 138 octets, that is 1104 bytes an element, however many layers there are.
 #[derive(Clone, Copy)]

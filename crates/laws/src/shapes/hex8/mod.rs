@@ -44,13 +44,14 @@ mod size;
 
 pub use bodies::MODAL_MEMORY;
 pub use brick::BrickGeometry;
-pub use brick_field::BrickField;
+pub use brick_field::{BrickField, bricks_left};
 pub use elastic::elastic_stress;
 pub use field::FieldShape;
 pub use frequency::element_frequencies;
-pub use full::{FullGeometry, FullShape, bricks_left, full};
+pub use full::{FullGeometry, FullShape, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
-pub use layered::{LayeredGeometry, LayeredShape, layered, layered_left};
+pub use layer::LayeredShape;
+pub use layered::{LayeredGeometry, layered, layered_left};
 pub use one_point::{OnePointGeometry, OnePointShape, Resistance, one_point};
 pub use quadrature::{Layers, MOST_POINTS, Points, Quadrature, Through, turned};
 

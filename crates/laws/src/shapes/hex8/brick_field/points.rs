@@ -1,7 +1,7 @@
 //! Bricks of 2×2×2 points and of layers: what whole material carries, in closed form.
 
 use super::super::full::FullShape;
-use super::super::layered::LayeredShape;
+use super::super::layer::LayeredShape;
 use super::super::quadrature::Through;
 use super::super::{Hex8, Stabilisation};
 use super::{BrickField, SHEAR};
@@ -30,7 +30,7 @@ impl FullShape for BrickField {
 impl BrickField {
     /// Resultants of a whole elastic material of a strain with these coefficients, at 2×2×2 points.
     #[inline(always)]
-    pub(in super::super) fn elastic_resultants<L: Lane>(
+    pub(super) fn elastic_resultants<L: Lane>(
         &self,
         moduli: &Moduli,
         e: &[[L; 8]; 6],
