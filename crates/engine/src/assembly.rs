@@ -183,11 +183,13 @@ impl Assembly {
         let (interfaces, bolts) = (!self.contacts.is_empty(), !self.bolts.is_empty());
         let free_field = self.free_field;
         let levels = self.members.iter().any(|member| member.level > 0);
+        let own = self.members.iter().any(|member| member.line == Some(Line::Own));
         Line::ALL.iter().copied().filter(move |&line| {
             (interfaces || !line.of_interfaces())
                 && (bolts || !line.of_bolts())
                 && (free_field || line != Line::FreeField)
                 && (levels || line != Line::Levels)
+                && (own || line != Line::Own)
         })
     }
 

@@ -1,7 +1,8 @@
 //! The faces of a model on its outer planes.
 
+use rayon::prelude::*;
 use std::collections::BTreeSet;
-use tremolite_mesh::topology::exterior_faces;
+use tremolite_mesh::topology::{all_faces, unshared};
 use tremolite_mesh::{Face, Mesh};
 
 /// How far a face's nodes may lie off an outer plane, over the mesh's extent normal to it.
@@ -26,17 +27,19 @@ impl OuterFaces {
     /// Sorts the exterior faces of some elements by the plane of these bounds that they lie on.
     pub fn of(mesh: &Mesh, bounds: ([f64; 3], [f64; 3]), elements: &[u32]) -> Self {
         let (low, high) = bounds;
-        let mut planes = <[[Vec<Face>; 2]; 3]>::default();
-        for face in exterior_faces(mesh, Some(elements)) {
-            for axis in 0..3 {
-                let near = NEAR * (high[axis] - low[axis]);
-                for (end, level) in [low[axis], high[axis]].into_iter().enumerate() {
-                    if mesh.face_nodes(face).all(|n| (mesh.nodes[n as usize][axis] - level).abs() <= near) {
-                        planes[axis][end].push(face);
-                    }
-                }
-            }
-        }
+        let near = |node: u32, axis: usize, level: f64| {
+            (mesh.nodes[node as usize][axis] - level).abs() <= NEAR * (high[axis] - low[axis])
+        };
+        // Few elements reach an outer plane, so these are sought before faces that two of them share are left out.
+        let reaches = |n: u32| (0..3).any(|axis| near(n, axis, low[axis]) || near(n, axis, high[axis]));
+        let outer = |e: &u32| mesh.elements[*e as usize].nodes().iter().any(|&n| reaches(n));
+        let outer: Vec<u32> = elements.par_iter().copied().filter(outer).collect();
+        let planes = [0, 1, 2].map(|axis| {
+            [low[axis], high[axis]].map(|level| {
+                let on = |face: &Face| mesh.face_nodes(*face).all(|n| near(n, axis, level));
+                unshared(mesh, all_faces(mesh, Some(&outer)).filter(on))
+            })
+        });
         OuterFaces { planes, bounds }
     }
 }

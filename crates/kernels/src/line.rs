@@ -107,6 +107,8 @@ lines! {
     FreeField = "free_field", -1.0, Work;
     /// Work of incident waves and loads on the model.
     Input = "input", -1.0, Work;
+    /// Work on the model of forces that a program or a script adds of its own; negative where they take energy.
+    Own = "own_forces", -1.0, Work;
     /// Energy that the run started with.
     Initial = "initial", -1.0, Start;
     /// What is found less what was put in: the sum of all other lines with their signs.

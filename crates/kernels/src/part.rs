@@ -193,7 +193,7 @@ pub trait Part: Send + Sync {
     fn energy(&self, _x: &Motion, _kept: Kept) -> Lines {
         Lines::default()
     }
-    /// K w with the elastic stiffness, as the power iteration wants it.
+    /// K w with the elastic stiffness, as the search for the stable step wants it.
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch);
     /// Forces of given stresses \[Pa\] at the points alone, ∫Bᵀσ: those of [`Part::forces`] at these stresses but for the
     /// stabilisation. Nothing of parts without elements.
@@ -209,7 +209,7 @@ pub trait Part: Send + Sync {
         out.fill(Row::ZERO);
     }
     /// C w of forces that go by v⁻, as artificial viscosity does, without damage: the stable step goes by it, in models
-    /// of which a body has such viscosity. Says whether there are any; `out` is left alone where there are none.
+    /// of which a body has such viscosity or a program's own part does. Says whether there are any; `out` is left alone where there are none.
     fn viscosity_times(&self, _w: &[Row], _out: &mut [Row], _scratch: &mut Scratch) -> bool {
         false
     }

@@ -37,8 +37,12 @@ pub fn all_faces<'a>(mesh: &'a Mesh, elements: Option<&'a [u32]>) -> impl Iterat
 /// # Panics
 /// If an element is not in the mesh.
 pub fn exterior_faces(mesh: &Mesh, elements: Option<&[u32]>) -> Vec<Face> {
-    let mut keyed: Vec<([u32; 4], Face)> =
-        all_faces(mesh, elements).map(|face| (face_key(mesh, face), face)).collect();
+    unshared(mesh, all_faces(mesh, elements))
+}
+
+/// Those of some faces that no other of them has the nodes of, ascending.
+pub fn unshared(mesh: &Mesh, faces: impl Iterator<Item = Face>) -> Vec<Face> {
+    let mut keyed: Vec<([u32; 4], Face)> = faces.map(|face| (face_key(mesh, face), face)).collect();
     keyed.sort_unstable();
     let mut faces: Vec<Face> =
         keyed.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1).map(|same| same[0].1).collect();

@@ -74,7 +74,8 @@ impl Error {
     }
 
     /// A [`Error::Unsuitable`].
-    pub(crate) fn unsuitable(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
+    /// What cannot be used, with a way out.
+    pub fn unsuitable(problem: impl Into<String>, remedy: impl Into<String>) -> Error {
         Error::Unsuitable { problem: problem.into(), remedy: remedy.into() }
     }
 }

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use std::path::{Path, PathBuf};
 use tremolite::job::Given;
-use tremolite::setup::{Inputs, mesh_of, original_folder};
+use tremolite::setup::{Inputs, original_folder};
 use tremolite_case as case;
 use tremolite_laws::materials::MATERIALS;
 
@@ -169,11 +169,15 @@ impl Case {
 
     /// The mesh that the case makes or reads, a `Mesh` in m, before its stages and interfaces are put into it.
     fn mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let Case { case } = self;
-        let made = py.detach(|| mesh_of(&case.mesh, &case.ground, &case.directory, &Inputs::default()));
-        match made {
-            Ok((mesh, _)) => mesh::to_python(py, &mesh),
-            Err(problems) => Err(refused(py, &case.report(problems))),
+        mesh::of_case(py, &self.case, &Inputs::default())
+    }
+
+    /// A number of a material in SI; none where the material has no such number.
+    fn _number(&self, material: &str, key: &str) -> Option<f64> {
+        let material = self.case.materials.iter().find(|one| one.name.value == material)?;
+        match key {
+            "density" => Some(material.density.value),
+            key => material.parameters.optional(key),
         }
     }
 

@@ -1,6 +1,8 @@
-//! What a script gives beside a case: stress by element, and loads.
+//! What a script gives beside a case: stress by element, loads, and forces of its own.
 
 use crate::errors::unusable;
+use crate::force::Force;
+use indexmap::IndexMap;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use sha2::{Digest, Sha256};
@@ -14,6 +16,17 @@ use tremolite_results::Input;
 pub struct Fields {
     pub initial: Option<Vec<[f64; 6]>>,
     pub loads: Vec<History>,
+    pub forces: Vec<Arc<Force>>,
+    /// By material and parameter, `rock.young`.
+    pub parameters: IndexMap<String, ByElement>,
+}
+
+/// A parameter of a material by element of the mesh, in SI; not a number where the case's own value stays.
+#[derive(Clone)]
+pub struct ByElement {
+    pub values: Arc<[f64]>,
+    /// Classes that it is sorted into at most.
+    pub classes: usize,
 }
 
 /// Forces [N] on nodes, times a factor over time that is linear between its times [s] and goes on as it begins and ends.
@@ -74,6 +87,13 @@ impl Fields {
             setup.inputs.push(named("load", numbers));
         }
         setup.problem.loads.extend(self.loads.iter().map(History::load));
+        for (name, ByElement { values, .. }) in &self.parameters {
+            setup.inputs.push(named(&format!("{name} by element"), values.iter()));
+        }
+        for force in &self.forces {
+            setup.inputs.push(named(&format!("force {}", force.name), force.numbers().iter()));
+            setup.problem.parts.push(force.maker());
+        }
         Ok(())
     }
 }

@@ -1,10 +1,11 @@
 //! A case with all that is made of it, to be checked and run.
 
-use crate::arrays::rows;
+use crate::arrays::{column, rows};
 use crate::away::{Desk, away, pool};
 use crate::case::{Case, changed};
 use crate::errors::{Problem, failed, unusable};
-use crate::fields::{Fields, load_of, stress_of};
+use crate::fields::{ByElement, Fields, load_of, stress_of};
+use crate::force::Force;
 use crate::made::Made;
 use crate::mesh;
 use crate::motion;
@@ -14,6 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex, PoisonError};
 use tremolite::job::{Given, Remark};
 use tremolite_case as case;
 
@@ -26,7 +28,18 @@ use tremolite_case as case;
 /// Everything that is wrong is said here, by `CaseError`; what is unusual is warned of by `CaseWarning`.
 #[pyclass(frozen, module = "tremolite")]
 pub struct Job {
-    made: Made,
+    made: Mutex<Arc<Made>>,
+}
+
+impl Job {
+    fn of(made: Made) -> Self {
+        Job { made: Mutex::new(Arc::new(made)) }
+    }
+
+    fn made(&self) -> Arc<Made> {
+        // Nothing panics while it holds this lock.
+        self.made.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
 }
 
 #[pymethods]
@@ -67,44 +80,45 @@ impl Job {
         if let Some(motion) = motion {
             inputs.records.insert(only_record(&case)?, motion::of_python(motion)?);
         }
-        Ok(Job { made: Made::build(py, &case, &given, Fields::default(), threads)? })
+        Ok(Job::of(Made::build(py, &case, &given, Fields::default(), threads)?))
     }
 
     /// What the results are called where no folder is given.
     #[getter]
     fn name(&self) -> String {
-        self.made.job.name()
+        self.made().job.name()
     }
 
     /// The case that is run, with its changes.
     #[getter]
     fn case(&self) -> Case {
-        Case { case: self.made.case.clone() }
+        Case { case: self.made().job.case.clone() }
     }
 
     /// All that is unusual: a list of `Problem`.
     #[getter]
     fn warnings(&self) -> Vec<Problem> {
-        Problem::all(&self.made.case.report(self.made.job.warnings().cloned().collect()))
+        let job = &self.made().job;
+        Problem::all(&job.case.report(job.warnings().cloned().collect()))
     }
 
     /// The text of what is unusual, as the command prints it.
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.made.job.remarks().iter().map(|remark: &Remark| remark.render(false)).collect()
+        self.made().job.remarks().iter().map(|remark: &Remark| remark.render(false)).collect()
     }
 
     /// The mesh of the model, a `Mesh`: nodes, elements and groups to which the arrays of looks belong. Where bodies touch by an
     /// interface, each side has nodes of its own.
     #[getter]
     fn mesh<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        mesh::to_python(py, &mesh::of_user(&self.made.job.model))
+        mesh::to_python(py, &mesh::of_user(&self.made().job.model))
     }
 
     /// Stress (elements, 6) [Pa] of each element before anything moves, read-only; zeros where the case has none.
     #[getter]
     fn initial_stress<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let model = &self.made.job.model;
+        let model = self.made().job.model.clone();
         let initial = &model.elements.initial;
         let own = model.user.elements;
         rows(py, if initial.is_empty() { vec![[0.0; 6]; own] } else { initial[..own].to_vec() })
@@ -112,46 +126,89 @@ impl Job {
 
     /// The same job with other stress before anything moves, an array (elements, 6) [Pa] in the order of `mesh`, and with loads in the
     /// earthquake: each (nodes (n,), force (3,) or (n, 3) [N], times (m,) [s], factors (m,)), the force times a factor that is linear
-    /// between its times. What is left out stays as it is. The summary names both by their bits among the inputs.
+    /// between its times. `forces` are `NodalForce`s, asked for in every step. What is left out stays as it is. The summary names all by their
+    /// bits among the inputs.
     ///
     /// The case must seek equilibrium ([initial] or stages) for a stress; what is not in balance moves the ground in the first stage, as
     /// the checks of the run say.
-    #[pyo3(signature = (*, initial_stress = None, loads = None, threads = None))]
+    #[pyo3(signature = (*, initial_stress = None, loads = None, forces = None, threads = None))]
     fn with_fields(
         &self,
         py: Python<'_>,
         initial_stress: Option<&Bound<'_, PyAny>>,
         loads: Option<Vec<Bound<'_, PyAny>>>,
+        forces: Option<Vec<Bound<'_, PyAny>>>,
         threads: Option<usize>,
     ) -> PyResult<Self> {
-        let mut fields = self.made.fields.clone();
+        let made = self.made();
+        let mut fields = made.fields.clone();
         if let Some(stress) = initial_stress {
             fields.initial = Some(stress_of(stress)?);
         }
         if let Some(loads) = loads {
-            let nodes = self.made.job.model.user.nodes;
+            let nodes = made.job.model.user.nodes;
             fields.loads = loads.iter().map(|load| load_of(load, nodes)).collect::<PyResult<_>>()?;
         }
-        Ok(Job { made: Made::build(py, &self.made.case, &self.made.given(), fields, threads)? })
+        if let Some(forces) = forces {
+            let job = &made.job;
+            fields.forces = Vec::new();
+            for force in &forces {
+                let force = Force::read(force, &fields.forces, &job.model, &job.phase)?;
+                fields.forces.push(Arc::new(force));
+            }
+        }
+        Ok(Job::of(Made::build(py, &made.case, &made.given(), fields, threads)?))
+    }
+
+    /// A parameter of a material by element, `job.field("rock.young")`: `field[:]` gives its values in SI, `field[:] = values` sets them, in the
+    /// order of `field.elements`. What is set divides the material into `classes` at most, equal in the logarithm; a field that has no more
+    /// values than that is exact. See `by_element`.
+    #[pyo3(signature = (name, *, classes = 16))]
+    fn field<'py>(slf: &Bound<'py, Self>, name: &str, classes: usize) -> PyResult<Bound<'py, PyAny>> {
+        let field = slf.py().import("tremolite._by_element")?.getattr("Field")?;
+        field.call1((slf, name, classes))
+    }
+
+    /// The case before materials are divided, its mesh, without what stages make others of, and what is given of a parameter by element, if anything is.
+    fn _field<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+    ) -> PyResult<(Case, Bound<'py, PyAny>, Option<Bound<'py, PyAny>>)> {
+        let made = self.made();
+        let given = made.fields.parameters.get(name).map(|given| column(py, given.values.to_vec()));
+        let mesh = mesh::of_case(py, &made.case, &made.inputs)?;
+        Ok((Case { case: made.case.clone() }, mesh, given.transpose()?))
+    }
+
+    /// Sets a parameter by element, and builds the job again.
+    fn _set_field(&self, py: Python<'_>, name: String, values: Vec<f64>, classes: usize) -> PyResult<()> {
+        let made = self.made();
+        let mut fields = made.fields.clone();
+        fields.parameters.insert(name, ByElement { values: values.into(), classes });
+        let new = Made::build(py, &made.case, &made.given(), fields, None)?;
+        *self.made.lock().unwrap_or_else(PoisonError::into_inner) = Arc::new(new);
+        Ok(())
     }
 
     /// The step of the finest level [s].
     #[getter]
     fn dt(&self) -> f64 {
-        self.made.job.dt
+        self.made().job.dt
     }
 
     /// Steps of the finest level in the whole earthquake.
     #[getter]
     fn steps(&self) -> u64 {
-        self.made.job.steps.total
+        self.made().job.steps.total
     }
 
     /// What a run will take, as `tremolite check --json` gives it: a dict, numbers in SI. Times a step on `threads` threads.
     #[pyo3(signature = (*, threads = None))]
     fn check<'py>(&self, py: Python<'py>, threads: Option<usize>) -> PyResult<Bound<'py, PyAny>> {
         let pool = pool(threads)?;
-        let work = || serde_json::to_string(&self.made.job.check());
+        let made = self.made();
+        let work = || serde_json::to_string(&made.job.check());
         let back = away(py, &pool, &Desk::default(), &AtomicBool::new(false), work)?;
         if let Some(interrupt) = back.interrupt {
             return Err(interrupt);
@@ -172,7 +229,7 @@ impl Job {
     /// Ctrl-C writes a checkpoint and raises `Stopped`. What a callback raises comes through once a checkpoint is written. Results do
     /// not depend on `threads`, nor on a callback that looks.
     #[pyo3(signature = (out = None, *, resume = false, overwrite = false, from_ = None, threads = None, set = None, callback = None,
-        every = None, progress = None))]
+        every = None, observers = Vec::new(), progress = None))]
     fn run<'py>(
         &self,
         py: Python<'py>,
@@ -184,22 +241,22 @@ impl Job {
         set: Option<&Bound<'py, PyDict>>,
         callback: Option<Py<PyAny>>,
         every: Option<Every>,
+        observers: Vec<Py<PyAny>>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let made = match set {
-            Some(_) => {
-                let Made { case, inputs, fields, .. } = &self.made;
-                let given = Given { inputs: inputs.clone(), ..changed(set)? };
-                Made::build(py, case, &given, fields.clone(), threads)?
-            }
-            None => self.made.clone(),
-        };
-        let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every };
+        let mut made = self.made();
+        if set.is_some() {
+            let Made { case, inputs, fields, .. } = &*made;
+            let given = Given { inputs: inputs.clone(), ..changed(set)? };
+            made = Arc::new(Made::build(py, case, &given, fields.clone(), threads)?);
+        }
+        let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every, observers };
         Simulation::begin(py, &made, wish)?.run(py, progress)
     }
 
     /// A run that a script drives: see `Simulation`. What is given is as of `run`.
-    #[pyo3(signature = (out = None, *, resume = false, overwrite = false, from_ = None, threads = None, callback = None, every = None))]
+    #[pyo3(signature = (out = None, *, resume = false, overwrite = false, from_ = None, threads = None, callback = None, every = None,
+        observers = Vec::new()))]
     fn start(
         &self,
         py: Python<'_>,
@@ -210,15 +267,17 @@ impl Job {
         threads: Option<usize>,
         callback: Option<Py<PyAny>>,
         every: Option<Every>,
+        observers: Vec<Py<PyAny>>,
     ) -> PyResult<Simulation> {
-        let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every };
-        Simulation::begin(py, &self.made, wish)
+        let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every, observers };
+        Simulation::begin(py, &self.made(), wish)
     }
 
     fn __repr__(&self) -> String {
+        let made = self.made();
         format!(
             "Job({:?}, {} elements, {} steps)",
-            self.made.case.title.value, self.made.job.model.user.elements, self.made.job.steps.total
+            made.case.title.value, made.job.model.user.elements, made.job.steps.total
         )
     }
 }

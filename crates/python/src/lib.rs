@@ -10,6 +10,7 @@ mod case;
 mod changes;
 mod errors;
 mod fields;
+mod force;
 mod fork;
 mod job;
 mod law;
@@ -20,6 +21,7 @@ mod motion;
 mod report;
 mod simulation;
 mod tables;
+mod target;
 mod teller;
 mod toml_dict;
 mod watch;
@@ -45,10 +47,12 @@ fn _tremolite(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<simulation::Stages>()?;
     module.add_class::<simulation::StageEnd>()?;
     module.add_class::<look::Look>()?;
+    module.add_class::<watch::Beginning>()?;
     module.add_function(wrap_pyfunction!(command, module)?)?;
     law::add(module)?;
     mesh::add(module)?;
     motion::add(module)?;
     report::add(module)?;
+    target::add(module)?;
     tables::add(module)
 }

@@ -1,12 +1,14 @@
 //! Meshes as arrays, both ways; and the grids of field files.
 
 use crate::arrays::{column, matrix, rows};
-use crate::errors::unusable;
+use crate::errors::{refused, unusable};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::path::PathBuf;
 use tremolite::Model;
+use tremolite::setup::{Inputs, mesh_of};
+use tremolite_case::Case;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Face, Mesh, Shape, quality, read_with_notes, sound, write};
 
@@ -132,6 +134,17 @@ pub fn to_python<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyAny
     }
     let made = (rows(py, mesh.nodes.clone())?, cells, groups, faces, points);
     py.import("tremolite._mesh")?.getattr("Mesh")?.call1(made)
+}
+
+/// The mesh of a case, in m, with what is in memory, for Python.
+///
+/// # Errors
+/// Why it cannot be made or read.
+pub fn of_case<'py>(py: Python<'py>, case: &Case, inputs: &Inputs) -> PyResult<Bound<'py, PyAny>> {
+    match py.detach(|| mesh_of(&case.mesh, &case.ground, &case.directory, inputs)) {
+        Ok((mesh, _)) => to_python(py, &mesh),
+        Err(problems) => Err(refused(py, &case.report(problems))),
+    }
 }
 
 fn field<'py, T>(mesh: &Bound<'py, PyAny>, name: &str) -> PyResult<T>

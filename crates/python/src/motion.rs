@@ -46,13 +46,17 @@ pub fn of_python(motion: &Bound<'_, PyAny>) -> PyResult<Vec<Channel>> {
     channels.into_iter().map(channel).collect()
 }
 
-fn told(error: Error) -> PyErr {
+/// What records and spectra cannot be used for, with the way out.
+pub fn told(error: Error) -> PyErr {
     let (message, remedy) = error.message_and_remedy();
     unusable(format!("{message}; {remedy}"))
 }
 
 /// Channels as a Python `Motion`.
-fn to_python<'py>(py: Python<'py>, channels: &[Channel]) -> PyResult<Bound<'py, PyAny>> {
+///
+/// # Errors
+/// If NumPy is not there.
+pub fn to_python<'py>(py: Python<'py>, channels: &[Channel]) -> PyResult<Bound<'py, PyAny>> {
     let module = py.import("tremolite._motion")?;
     let one = module.getattr("Channel")?;
     let channel = |channel: &Channel| {

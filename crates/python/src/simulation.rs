@@ -7,12 +7,13 @@ mod stages;
 pub use begin::Wish;
 pub use stages::{StageEnd, Stages};
 
-use crate::away::{Back, Desk, away};
+use crate::away::{Asker, Back, away};
 use crate::errors::{failed, stopped, unusable};
 use crate::look::{Look, Scene};
 use crate::made::Made;
 use crate::teller::Teller;
 use crate::watch::Watch;
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::ThreadPool;
@@ -34,9 +35,8 @@ pub struct Simulation {
     made: Mutex<Made>,
     out: PathBuf,
     pool: ThreadPool,
-    desk: Arc<Desk>,
-    stop: Arc<AtomicBool>,
-    watch: Option<Arc<Watch>>,
+    asker: Asker,
+    watches: Vec<Arc<Watch>>,
     /// Whether it began with another run's stages, or with its own of another time.
     follows: bool,
     held: Mutex<Option<Held>>,
@@ -59,8 +59,9 @@ impl Simulation {
         let Held { simulation, begun, caller, .. } = held.take().ok_or_else(over)?;
         drop(held);
         let job = &self.job()?;
-        let Simulation { pool, desk, stop, watch, .. } = &self;
-        let teller = progress.map(|tell| Teller::new(tell, job, desk, stop));
+        let Simulation { pool, asker, .. } = &self;
+        let Asker { desk, stop } = asker;
+        let teller = progress.map(|tell| Teller::new(tell, job, asker));
         let back = away(py, pool, desk, stop, || -> Result<Outcome, RunError> {
             let mut tell = |now: Progress| {
                 if let Some(teller) = &teller {
@@ -71,8 +72,7 @@ impl Simulation {
             begun.end(job, &outcome, &caller)?;
             Ok(outcome)
         })?;
-        let raised = teller.and_then(|teller| teller.raised());
-        self.ended(py, back, raised, watch.as_deref())
+        self.ended(py, back)
     }
 
     fn made(&self) -> PyResult<MutexGuard<'_, Made>> {
@@ -98,7 +98,7 @@ impl Simulation {
     ) -> PyResult<T> {
         let mut held = self.held()?;
         let moving = held.as_mut().ok_or_else(over)?;
-        let Simulation { pool, desk, stop, watch, .. } = self;
+        let Simulation { pool, asker: Asker { desk, stop }, .. } = self;
         stop.store(false, Ordering::Relaxed);
         let back = away(py, pool, desk, stop, || work(moving, stop));
         let Back { result, interrupt } = match back {
@@ -109,9 +109,12 @@ impl Simulation {
                 return Err(why);
             }
         };
-        if let Some(raised) = watch.as_ref().and_then(|watch| watch.raised()) {
-            return Err(raised);
-        }
+        // Ctrl-C while a script's code ran is one like any other.
+        let interrupt = match desk.raised() {
+            Some(raised) if raised.is_instance_of::<PyKeyboardInterrupt>(py) => Some(raised),
+            Some(raised) => return Err(raised),
+            None => interrupt,
+        };
         let result = result.map_err(|why| refused(&why))?;
         let Some(interrupt) = interrupt else { return Ok(result) };
         let Back { result, .. } =
@@ -212,7 +215,7 @@ impl Simulation {
         let Held { mut simulation, begun, caller, stage_seconds, ending } = held.take().ok_or_else(over)?;
         drop(held);
         let job = &self.job()?;
-        let Simulation { pool, desk, stop, watch, .. } = self;
+        let Simulation { pool, asker: Asker { desk, stop }, .. } = self;
         let back = away(py, pool, desk, stop, || -> Result<Outcome, RunError> {
             let ending = match ending {
                 Some(ending) => ending,
@@ -225,7 +228,7 @@ impl Simulation {
             begun.end(job, &outcome, &caller)?;
             Ok(outcome)
         })?;
-        self.ended(py, back, None, watch.as_deref())
+        self.ended(py, back)
     }
 
     /// The folder of the results.

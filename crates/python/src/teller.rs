@@ -1,10 +1,10 @@
 //! Words of how far a run is, for a script.
 
-use crate::away::Desk;
+use crate::away::Asker;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use tremolite::job::Job;
 use tremolite::run::Progress;
 
@@ -12,21 +12,18 @@ use tremolite::run::Progress;
 pub struct Teller {
     tell: Arc<Py<PyAny>>,
     job: Arc<Job>,
-    desk: Arc<Desk>,
-    stop: Arc<AtomicBool>,
-    raised: Arc<Mutex<Option<PyErr>>>,
+    asker: Asker,
 }
 
 impl Teller {
-    pub fn new(tell: Py<PyAny>, job: &Arc<Job>, desk: &Arc<Desk>, stop: &Arc<AtomicBool>) -> Self {
-        let (job, desk, stop) = (job.clone(), desk.clone(), stop.clone());
-        Teller { tell: Arc::new(tell), job, desk, stop, raised: Arc::default() }
+    pub fn new(tell: Py<PyAny>, job: &Arc<Job>, asker: &Asker) -> Self {
+        Teller { tell: Arc::new(tell), job: job.clone(), asker: asker.clone() }
     }
 
     pub fn tell(&self, now: Progress) {
-        let (tell, raised, stop) = (self.tell.clone(), self.raised.clone(), self.stop.clone());
+        let (tell, asker) = (self.tell.clone(), self.asker.clone());
         let stage = now.stage.map(|stage| self.job.plan.stages[stage].name.clone());
-        self.desk.ask(move |py| {
+        self.asker.desk.ask(move |py| {
             let said = || -> PyResult<()> {
                 let words = PyDict::new(py);
                 words.set_item("stage", stage)?;
@@ -37,15 +34,10 @@ impl Teller {
                 words.set_item("time", now.time)?;
                 tell.call1(py, (words,)).map(drop)
             };
-            if let (Err(error), Ok(mut held)) = (said(), raised.lock()) {
-                stop.store(true, Ordering::Relaxed);
-                *held = Some(error);
+            if let Err(error) = said() {
+                asker.stop.store(true, Ordering::Relaxed);
+                asker.desk.raise(error);
             }
         });
-    }
-
-    /// What the script raised.
-    pub fn raised(&self) -> Option<PyErr> {
-        self.raised.lock().ok()?.take()
     }
 }

@@ -1,13 +1,15 @@
-//! A callback as an observer of the run: it looks, remembers and may stop.
+//! Callbacks and observers of a script as observers of the run: they look, remember and may stop.
 
 use crate::arrays::column;
-use crate::away::Desk;
+use crate::away::Asker;
 use crate::errors::unusable;
 use crate::look::{Look, Scene};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex};
+use pyo3::types::{PyDict, PyString};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use tremolite::RunError;
 use tremolite::job::Job;
 use tremolite::observers::{Event, Observer, OwnObservers, Schedule, Setting, View, Wants, Which};
@@ -15,9 +17,6 @@ use tremolite::phase::beats::span;
 use tremolite::state::Memory;
 use tremolite_case::units;
 use tremolite_laws::Dimension;
-
-/// Before the names of what callbacks remember, among what all observers do.
-const OURS: &str = "python:";
 
 /// How often a callback looks: steps, or a time such as `"0.05 s"`.
 #[derive(FromPyObject)]
@@ -48,113 +47,253 @@ impl Every {
     }
 }
 
-/// A callback, with what it said.
+/// Where an observer is: where the run's results go, what it remembers, and whether the ground shakes.
+#[pyclass(frozen, module = "tremolite")]
+pub struct Beginning {
+    /// The folder of the results.
+    #[pyo3(get)]
+    out: PathBuf,
+    /// The stage before the earthquake that begins or goes on; None where the ground shakes.
+    #[pyo3(get)]
+    stage: Option<String>,
+    /// Time since the earthquake began [s].
+    #[pyo3(get)]
+    time: f64,
+    memory: Py<PyDict>,
+}
+
+#[pymethods]
+impl Beginning {
+    /// What the observer remembers: a dict from name to array (n,) of float64, part of the checkpoint.
+    #[getter]
+    fn memory<'py>(&self, py: Python<'py>) -> Bound<'py, PyDict> {
+        self.memory.bind(py).clone()
+    }
+}
+
+/// A callback or an observer of a script, with what says when it looks and where it is heard.
 pub struct Watch {
-    callback: Py<PyAny>,
+    object: Py<PyAny>,
+    /// Whether it has methods, rather than being called.
+    methods: bool,
+    /// Before the names of what it remembers, among what all observers do.
+    prefix: String,
     every: u64,
-    desk: Arc<Desk>,
-    stop: Arc<AtomicBool>,
-    raised: Mutex<Option<PyErr>>,
+    asker: Asker,
 }
 
 impl Watch {
-    /// `every` left out is that of the rows of the histories.
+    /// A callable; `every` left out is that of the rows of the histories.
     ///
     /// # Errors
     /// If that is no number of steps and no time.
-    pub fn new(
-        callback: Py<PyAny>,
+    pub fn callback(
+        object: Py<PyAny>,
         every: Option<&Every>,
         job: &Job,
-        desk: &Arc<Desk>,
-        stop: &Arc<AtomicBool>,
+        asker: &Asker,
     ) -> PyResult<Arc<Self>> {
         let every = every.map_or(Ok(job.steps.histories), |every| every.steps(job))?;
-        let (desk, stop) = (desk.clone(), stop.clone());
-        Ok(Arc::new(Watch { callback, every, desk, stop, raised: Mutex::default() }))
+        Ok(Arc::new(Watch { object, methods: false, prefix: "python:".into(), every, asker: asker.clone() }))
     }
 
-    /// The callback as an observer of a simulation.
+    /// A `tremolite.Observer`, or what has its methods.
+    ///
+    /// # Errors
+    /// If it has no `see`, its `every` is no time, or another has its name.
+    pub fn observer(
+        object: &Bound<'_, PyAny>,
+        others: &[Arc<Self>],
+        job: &Job,
+        asker: &Asker,
+    ) -> PyResult<Arc<Self>> {
+        let class = object.get_type().name()?;
+        if !object.hasattr("see")? || object.is_instance_of::<pyo3::types::PyType>() {
+            return Err(unusable(format!(
+                "{class} has no method see(self, now); observers are objects: observers=[Drift()]"
+            )));
+        }
+        let given = |name: &str| -> PyResult<Option<Bound<'_, PyAny>>> {
+            Ok(object.getattr_opt(name)?.filter(|value| !value.is_none()))
+        };
+        let name: String = given("name")?.map_or(Ok(class.to_string()), |name| name.extract())?;
+        let prefix = format!("python.{name}:");
+        if others.iter().any(|other| other.prefix == prefix) {
+            return Err(unusable(format!(
+                "two observers are called {name:?}, by which their memory is kept; give one another `name`"
+            )));
+        }
+        let every = match given("every")? {
+            Some(every) => every.extract::<Every>()?.steps(job)?,
+            None => job.steps.histories,
+        };
+        let object = object.clone().unbind();
+        Ok(Arc::new(Watch { object, methods: true, prefix, every, asker: asker.clone() }))
+    }
+
+    /// It as an observer of a simulation.
     pub fn observers(self: &Arc<Self>) -> OwnObservers {
         let watch = self.clone();
         vec![Arc::new(move |setting: &Setting| {
-            let Setting { model, assembly, phase, steps, .. } = *setting;
+            let Setting { model, assembly, phase, steps, plan, folder, memory, time, .. } = *setting;
             let scene = Scene { model: model.clone(), assembly: assembly.clone(), phase: phase.clone() };
             let schedule = Schedule { every: watch.every, last: Some(steps.total) };
-            Ok(Some(Box::new(Watcher { watch: watch.clone(), scene, schedule }) as Box<dyn Observer>))
+            let stage = match phase.stage {
+                tremolite::Stage::Before(stage) => Some(plan.stages[usize::from(stage)].name.clone()),
+                tremolite::Stage::Shaking => None,
+            };
+            let held = Held { out: folder.root().to_owned(), stage, time };
+            let held = watch.begun(Arc::new(held), watch.ours(memory));
+            Ok(Some(Box::new(Watcher { watch: watch.clone(), scene, schedule, held }) as Box<dyn Observer>))
         })]
     }
 
-    /// What the callback raised.
-    pub fn raised(&self) -> Option<PyErr> {
-        self.raised.lock().ok()?.take()
+    /// What of all memory is its own.
+    fn ours(&self, memory: &Memory) -> Vec<(String, Vec<f64>)> {
+        let ours = memory.range(self.prefix.clone()..);
+        let ours = ours.take_while(|(name, _)| name.starts_with(&self.prefix));
+        ours.map(|(name, numbers)| (name[self.prefix.len()..].to_owned(), numbers.clone())).collect()
     }
 
-    fn call(&self, py: Python<'_>, look: Look, memory: &Py<PyDict>) -> PyResult<Vec<(String, Vec<f64>)>> {
-        let said = self.callback.bind(py).call1((look,))?;
-        if !said.is_none() && !said.is_truthy()? {
-            self.stop.store(true, Ordering::Relaxed);
+    /// Asks the script, which stops the run by what it raises.
+    fn ask<T: Send + 'static>(
+        self: &Arc<Self>,
+        what: impl FnOnce(&Watch, Python<'_>) -> PyResult<T> + Send + 'static,
+    ) -> Option<T> {
+        let watch = self.clone();
+        let said = self.asker.desk.ask(move |py| {
+            what(&watch, py).map_err(|raised| {
+                watch.asker.stop.store(true, Ordering::Relaxed);
+                watch.asker.desk.raise(raised);
+            })
+        });
+        said?.ok()
+    }
+
+    /// What it remembers, as it begins.
+    fn begun(self: &Arc<Self>, at: Arc<Held>, ours: Vec<(String, Vec<f64>)>) -> Begun {
+        let here = at.clone();
+        let memory = self.ask(move |watch, py| watch.begin(py, &here, &ours));
+        Begun { at, memory: memory.map(Arc::new) }
+    }
+
+    fn begin(&self, py: Python<'_>, at: &Held, ours: &[(String, Vec<f64>)]) -> PyResult<Py<PyDict>> {
+        let memory = PyDict::new(py);
+        for (name, numbers) in ours {
+            memory.set_item(name, column(py, numbers.clone())?.call_method0("copy")?)?;
         }
-        let array = py.import("numpy")?.getattr("asarray")?;
+        let object = self.object.bind(py);
+        if self.methods && object.hasattr("begin")? {
+            let Held { out, stage, time } = at;
+            let memory = memory.clone().unbind();
+            let here = Beginning { out: out.clone(), stage: stage.clone(), time: *time, memory };
+            object.call_method1("begin", (here,))?;
+        }
+        Ok(memory.unbind())
+    }
+
+    /// Shows it a look, and says what it remembers then.
+    fn see(
+        &self,
+        py: Python<'_>,
+        look: Look,
+        at: &Held,
+        memory: &Py<PyDict>,
+        ours: &[(String, Vec<f64>)],
+    ) -> PyResult<Vec<(String, Vec<f64>)>> {
+        let look = Bound::new(py, look)?;
+        let object = self.object.bind(py);
+        let method = PyString::new(py, "see");
+        let call = || match self.methods {
+            true => object.call_method1(&method, (&look,)),
+            false => object.call1((&look,)),
+        };
+        let said = match call() {
+            // It saw half of this look, which the checkpoint has behind it: it sees it again with what it knew before.
+            Err(error) if error.is_instance_of::<PyKeyboardInterrupt>(py) => {
+                self.asker.stop.store(true, Ordering::Relaxed);
+                self.asker.desk.raise(error);
+                let before = self.begin(py, at, ours)?;
+                let memory = memory.bind(py);
+                memory.clear();
+                memory.update(before.bind(py).as_mapping())?;
+                call()?
+            }
+            said => said?,
+        };
+        if !said.is_none() && !said.is_truthy()? {
+            self.asker.stop.store(true, Ordering::Relaxed);
+        }
+        self.kept(memory.bind(py))
+    }
+
+    /// What it remembers, as numbers. What is no array of float64 becomes one.
+    fn kept(&self, memory: &Bound<'_, PyDict>) -> PyResult<Vec<(String, Vec<f64>)>> {
+        let numpy = memory.py().import("numpy")?;
+        let (array, at_least) = (numpy.getattr("asarray")?, numpy.getattr("atleast_1d")?);
         let kept = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
             let name: String = name.extract()?;
-            let numbers = array.call1((value, "float64"))?;
+            let numbers = at_least.call1((array.call1((&value, "float64"))?,))?;
             if numbers.getattr("ndim")?.extract::<usize>()? > 1 {
                 let shape = numbers.getattr("shape")?;
                 return Err(unusable(format!(
                     "memory[{name:?}] has the shape {shape}; a checkpoint keeps (n,), so keep array.ravel()"
                 )));
             }
-            let numbers = numbers.call_method0("ravel")?;
-            Ok((format!("{OURS}{name}"), numbers.extract()?))
+            if !numbers.is(&value) {
+                memory.set_item(&name, &numbers)?;
+            }
+            Ok((format!("{}{name}", self.prefix), numbers.extract()?))
         };
-        memory.bind(py).iter().map(kept).collect()
+        let all: Vec<_> = memory.items().iter().map(|item| item.extract()).collect::<PyResult<_>>()?;
+        all.into_iter().map(kept).collect()
     }
+}
+
+/// Where it began.
+struct Held {
+    out: PathBuf,
+    stage: Option<String>,
+    time: f64,
+}
+
+/// What it began with; none where it raised.
+struct Begun {
+    at: Arc<Held>,
+    memory: Option<Arc<Py<PyDict>>>,
 }
 
 struct Watcher {
     watch: Arc<Watch>,
     scene: Scene,
     schedule: Schedule,
+    held: Begun,
 }
 
 impl Watcher {
     fn look(&self, view: &View, stage: Option<String>, memory: &mut Memory) {
-        // A run that stops has no more to say, and goes on with this look another time.
-        if self.watch.stop.load(Ordering::Relaxed) {
-            return;
-        }
-        let (watch, scene) = (self.watch.clone(), self.scene.clone());
+        let Some(dict) = self.held.memory.clone() else { return };
+        let (scene, at, ours) = (self.scene.clone(), self.held.at.clone(), self.watch.ours(memory));
         let (snapshot, history) = (view.snapshot.clone(), view.history.octets.to_vec());
-        let ours = memory.range(OURS.to_owned()..).take_while(|(name, _)| name.starts_with(OURS));
-        let ours: Vec<(String, Vec<f64>)> =
-            ours.map(|(n, v)| (n[OURS.len()..].to_owned(), v.clone())).collect();
-        let kept = self.watch.desk.ask(move |py| {
-            let called = remembered(py, ours).and_then(|memory| {
-                let look = Look::new(scene, snapshot, history, stage, Some(memory.clone_ref(py)));
-                watch.call(py, look, &memory)
-            });
-            called.map_err(|raised| {
-                watch.stop.store(true, Ordering::Relaxed);
-                if let Ok(mut held) = watch.raised.lock() {
-                    *held = Some(raised);
-                }
-            })
+        let kept = self.watch.ask(move |watch, py| {
+            let look = Look::new(scene, snapshot, history, stage, Some(dict.clone_ref(py)));
+            watch.see(py, look, &at, &dict, &ours)
         });
-        if let Some(Ok(kept)) = kept {
-            memory.retain(|name, _| !name.starts_with(OURS));
+        if let Some(kept) = kept {
+            memory.retain(|name, _| !name.starts_with(&self.watch.prefix));
             memory.extend(kept);
         }
     }
-}
 
-/// What a callback remembers, as arrays that it may write to.
-fn remembered(py: Python<'_>, ours: Vec<(String, Vec<f64>)>) -> PyResult<Py<PyDict>> {
-    let memory = PyDict::new(py);
-    for (name, numbers) in ours {
-        memory.set_item(name, column(py, numbers)?.call_method0("copy")?)?;
+    fn end(&self) {
+        if !self.watch.methods || self.held.memory.is_none() {
+            return;
+        }
+        self.watch.ask(|watch, py| {
+            let object = watch.object.bind(py);
+            if object.hasattr("end")? { object.call_method0("end").map(drop) } else { Ok(()) }
+        });
     }
-    Ok(memory.unbind())
 }
 
 impl Observer for Watcher {
@@ -169,6 +308,7 @@ impl Observer for Watcher {
                 let name = seen.view.plan.stages[seen.stage].name.clone();
                 self.look(&seen.view, Some(name), memory);
             }
+            Event::End { .. } => self.end(),
             _ => {}
         }
         Ok(())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import os
 import shlex
+import signal
 import subprocess
 import sys
 import warnings
@@ -14,6 +15,9 @@ import numpy as np
 import pytest
 
 import tremolite as tr
+
+# Where a shell starts the tests in the background it has them ignore Ctrl-C.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 COLUMN = {
     "title": "a column under a pulse",

@@ -58,3 +58,67 @@ def test_factors_that_do_not_fit_are_refused_in_words(column):
     ]:
         with pytest.raises(tr.Error, match=words):
             tr.by_element(case, material, factors)
+
+
+def test_a_field_of_a_job_is_read_and_set(column, tmp_path):
+    job = tr.Job(tr.Case.from_dict(column), motion=pulse())
+    young = job.field("rock.young")
+    assert (young[:] == 2e9).all() and len(young) == 10 and list(young.elements) == list(range(10))
+    upper = young.centroids[:, 2] > -10.0
+    young[upper] = 1e9
+    assert (job.field("rock.young")[:] == np.where(upper, 1e9, 2e9)).all() and (young.of_classes == young[:]).all()
+    density = job.field("rock.density")
+    density[:] = 2400.0
+    a = job.run(tmp_path / "a")
+    assert [entry["name"] for entry in a.summary["inputs"]][-2:] == ["rock.young by element", "rock.density by element"]
+
+    case = tr.Case.from_dict(column).with_({"material.rock.density": "2400 kg/m3"})
+    made, mesh = tr.by_element(case, "rock", {"young": np.where(upper, 0.5, 1.0)})
+    b = tr.Job(made, mesh=mesh, motion=pulse()).run(tmp_path / "b")
+    assert same_files(a.path, b.path, ["monitors.csv", "energy.csv"]) == []
+    young[:] = 2e9
+    density[:] = 2500.0
+    plain = tr.Job(tr.Case.from_dict(column), motion=pulse()).run(tmp_path / "plain")
+    assert same_files(plain.path, job.run(tmp_path / "again").path, ["monitors.csv", "energy.csv"]) == []
+
+
+def test_fields_stay_with_stages_stress_forces_and_changes(cavern, tmp_path):
+    job = tr.Job(tr.Case(cavern).with_({"dynamic.duration": "0.01 s"}))
+    assert job.initial_stress.any()
+    young = job.field("rock.young", classes=4)
+    young[:] = young[:] * np.exp(0.3 * np.random.default_rng(5).standard_normal(len(young)))
+    stress = 0.9 * job.initial_stress
+    job = job.with_fields(initial_stress=stress)
+    assert job.field("rock.young")[:].std() > 0.0 and np.allclose(job.initial_stress, stress)
+    result = job.run(tmp_path / "a", set={"dynamic.duration": "0.02 s"})
+    assert result.status == "done" and {"rock-00", "rock-01"} <= set(result.summary["materials"])
+    lost = np.abs(np.log(young.of_classes / young[:])).max()
+    assert 0.0 < lost <= np.ptp(np.log(young[:])) / 4
+
+
+def test_a_mesh_of_a_file_in_other_units_keeps_its_size(column, tmp_path):
+    mesh = tr.Case.from_dict(column).mesh()
+    tr.Mesh(mesh.points * 1000.0, mesh.cells, {"rock": np.arange(10)}).write(tmp_path / "box.vtu")
+    column["mesh"] = {"file": {"path": str(tmp_path / "box.vtu"), "unit": "1 mm"}}
+    made, read = tr.by_element(tr.Case.from_dict(column), "rock", {"young": np.ones(10)})
+    assert np.allclose(tr.Job(made, mesh=read, motion=pulse()).mesh.points, mesh.points)
+
+
+def test_fields_that_cannot_be_are_refused_in_words(column):
+    job = tr.Job(tr.Case.from_dict(column), motion=pulse())
+    for name, words in [
+        ("young", "there are rock"),
+        ("roc.young", "there are rock"),
+        ("rock.yuong", "it has law, young"),
+        ("rock.law", "no number"),
+    ]:
+        with pytest.raises(tr.Error, match=words):
+            job.field(name)
+    young = job.field("rock.young")
+    with pytest.raises(tr.Error, match="not above 0"):
+        young[3] = -1.0
+    with pytest.raises(ValueError, match="broadcast"):
+        young[:] = np.ones(9)
+    with pytest.raises(tr.CaseError, match="poisson"):
+        job.field("rock.poisson")[:] = 0.7
+    assert (job.field("rock.poisson")[:] == 0.25).all()

@@ -1,9 +1,9 @@
 """A stranger's way: from a mesh of meshio and a record of ObsPy to a lined, shaken tunnel that a callback stops, and its histories."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-
-import tremolite as tr
 
 
 def tunnel(meshio):
@@ -28,62 +28,30 @@ def tunnel(meshio):
     )
 
 
-def test_from_meshio_and_obspy_to_a_lined_and_shaken_tunnel(tmp_path):
-    meshio, obspy = pytest.importorskip("meshio"), pytest.importorskip("obspy")
-    mesh = tr.Mesh.from_meshio(tunnel(meshio))
+PAGE = Path(__file__).resolve().parents[3] / "docs" / "python.md"
+
+
+@pytest.mark.skipif(not PAGE.exists(), reason="the documentation is not beside the tests")
+def test_the_way_of_the_documentation_leads_to_a_lined_and_shaken_tunnel(tmp_path, monkeypatch, capsys):
+    meshio, obspy, plots = (pytest.importorskip(name) for name in ("meshio", "obspy", "matplotlib"))
+    plots.use("Agg")
+    monkeypatch.chdir(tmp_path)
+    meshio.write("tunnel.msh", tunnel(meshio), file_format="gmsh22", binary=False)
     t = 0.01 * np.arange(300)
     stream = obspy.Stream()
     for channel, share in (("HNE", 1.0), ("HNN", 0.5), ("HNZ", 0.3)):
         trace = obspy.Trace(2.0 * share * np.exp(-((4 * (t - 1.0)) ** 2)) * np.sin(2 * np.pi * 3 * t))
         trace.stats.update({"network": "XX", "station": "ABC", "channel": channel, "delta": 0.01})
         stream += trace
-    motion = tr.Motion.from_stream(stream.taper(0.05), units="m/s2").process("detrend linear", "bandpass 0.5 Hz 15 Hz", "baseline")
-    case = tr.Case.from_dict(
-        {
-            "title": "a tunnel",
-            "mesh": {"file": {"path": "tunnel"}},
-            "material": {
-                "rock": {"law": "elastic", "young": "5 GPa", "poisson": 0.25, "density": "2500 kg/m3"},
-                "concrete": {
-                    "law": "concrete-damage",
-                    "young": "25 GPa",
-                    "poisson": 0.17,
-                    "density": "2450 kg/m3",
-                    "tensile_strength": "1.2 MPa",
-                    "fracture_energy": "130 N/m",
-                    "cohesion": "2 MPa",
-                    "friction_angle": "46 deg",
-                },
-            },
-            "region": [
-                {"groups": ["rock", "opening"], "material": "rock", "element": "one-point"},
-                {"groups": ["lining"], "material": "concrete", "before": "rock", "element": "full"},
-            ],
-            "initial": {"lateral": 0.8},
-            "stage": [
-                {"name": "excavation", "excavate": ["opening"], "release": 0.7},
-                {"name": "lining", "install": ["lining"]},
-            ],
-            "motion": {"kind": "outcrop", "file": "record"},
-            "dynamic": {
-                "base": "viscous-spring",
-                "sides": {"x": "free-field", "y": "periodic"},
-                "damping": {"rayleigh": {"mass": "0.3 1/s"}},
-            },
-            "monitor": [{"name": "crown", "at": ["0 m", "1 m", "-11.5 m"], "body": "lining"}],
-        }
-    )
-    job = tr.Job(case, mesh=mesh, motion=motion)
-    crown = job.mesh.nodes_near((0.0, 1.0, -12.0), 1.1)
-    seen = []
-
-    def watch(now):
-        damage = now.history("lining", "d_tension")
-        seen.append((now.stage, len(damage), np.abs(now.displacement[crown]).max()))
-        return now.stage is not None or now.time < 1.0
-
-    result = job.run(tmp_path / "a", callback=watch, every="0.05 s")
-    assert result.status == "stopped" and result.monitors["crown"].time[-1] == pytest.approx(1.0, abs=0.05)
-    assert [stage for stage, *_ in seen[:3]] == ["initial equilibrium", "excavation", "lining"]
-    assert [points for _, points, _ in seen[:4]] == [0, 0, 8 * 24, 8 * 24] and seen[-1][2] > 1e-4
+    stream.write("record.mseed", format="MSEED", encoding="FLOAT64")
+    chapter = PAGE.read_text(encoding="utf-8").split("## From a mesh and a record to a tunnel")[1]
+    code = chapter.split("```python\n")[1].split("```")[0]
+    there: dict = {}
+    exec(compile(code, str(PAGE), "exec"), there)  # noqa: S102
+    result, mesh = there["result"], there["mesh"]
+    assert sorted(mesh.groups) == ["lining", "opening", "rock"] and "<Mesh of 200 elements" in capsys.readouterr().out
+    assert result.status == "stopped" and "resume=True" in result.verdict
+    assert result.monitors["crown"].time[-1] == pytest.approx(1.0, abs=0.05)
+    assert [row["name"] for row in result.rows("stages")] == ["initial equilibrium", "excavation", "lining"]
     assert np.abs(result.monitors["crown"].ux).max() > 1e-4
+    assert (tmp_path / "crown.png").stat().st_size > 5000 and (tmp_path / "results/tunnel/report.html").exists()

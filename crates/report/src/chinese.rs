@@ -25,6 +25,7 @@ mod sheets;
 mod source;
 mod spectra;
 mod stages;
+mod study;
 mod trust;
 mod verdict;
 mod view;
@@ -58,6 +59,7 @@ pub const TABLES: &[Texts] = &[
     source::TEXTS,
     spectra::TEXTS,
     stages::TEXTS,
+    study::TEXTS,
     trust::TEXTS,
     verdict::TEXTS,
     view::TEXTS,

@@ -79,6 +79,7 @@ fn words(line: &str, table: &Table, language: Language) -> String {
         "base_springs" => say!(language, "base springs"),
         FREE_FIELD => say!(language, "work through the sides"),
         "input" => say!(language, "input"),
+        "own_forces" => say!(language, "work of a script's own forces"),
         "initial" => say!(language, "initial"),
         "error" => say!(language, "error"),
         other => other.replace('_', " "),

@@ -75,7 +75,7 @@ impl ResultFolder {
     }
 
     /// Opens the folder whose run is to be resumed: `base`, or else the last of `results/<case
-    /// name>`, `-2`, `-3` … that holds a checkpoint.
+    /// name>`, `-2`, `-3` … that holds a checkpoint, or what its earthquake began with where the run was killed before its first.
     ///
     /// # Errors
     /// [`Error::NoResults`] if there is no checkpoint; [`Error::Busy`] if a run writes into the folder.
@@ -100,12 +100,19 @@ impl ResultFolder {
     }
 
     fn with_checkpoint(root: PathBuf) -> Result<Self, Error> {
-        let folder = ResultFolder { root, _lock: None };
-        let goes_on = |entry: fs::DirEntry| entry.file_name() != HAND_OVER;
-        match fs::read_dir(folder.checkpoint()).map(|mut entries| entries.any(|e| e.is_ok_and(goes_on))) {
-            Ok(true) => Ok(folder),
-            _ => Err(no_checkpoint(&folder.root)),
+        match ResultFolder::goes_on(&root) {
+            true => Ok(ResultFolder { root, _lock: None }),
+            false => Err(no_checkpoint(&root)),
         }
+    }
+
+    /// Whether a folder holds what its run can go on from: a checkpoint, or what its earthquake began with. A run that ended keeps that for
+    /// others alone.
+    pub fn goes_on(root: &Path) -> bool {
+        let folder = ResultFolder { root: root.to_owned(), _lock: None };
+        let ended = folder.summary().exists();
+        let serves = |entry: fs::DirEntry| !ended || entry.file_name() != HAND_OVER;
+        fs::read_dir(folder.checkpoint()).is_ok_and(|mut all| all.any(|entry| entry.is_ok_and(serves)))
     }
 
     /// Keeps other runs out, by a file that is made if it has to be and stays.

@@ -6,13 +6,15 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, replace_file};
+use crate::{Error, Said, replace_file};
 
 /// A study.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Study {
     pub title: String,
+    /// The language of the page, `en` or `zh`; empty in files of other versions.
+    pub language: String,
     /// The study file, as it was named.
     pub file: String,
     /// The case, as the study names it.
@@ -175,8 +177,10 @@ pub struct StudyFragility {
     /// `binomial` or `truncated`.
     pub method: String,
     pub fit: Option<StudyFit>,
-    /// Why there is no curve.
+    /// Why there is no curve; and the same as a pattern, empty in files of other versions.
     pub no_curve: String,
+    #[serde(skip_serializing_if = "Said::is_empty")]
+    pub no_curve_said: Said,
     pub bounds: Option<StudyBounds>,
     /// Why there are no bounds.
     pub no_bounds: String,

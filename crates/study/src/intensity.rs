@@ -3,9 +3,12 @@
 //! They are of the motion as it is processed and given, in the model's axes, before the kind of the record (an outcrop's half) is
 //! seen to. All are of the two horizontal components unless they name an axis.
 
+mod over_target;
+
+use over_target::over_target;
 use tremolite_case::units;
 use tremolite_laws::parameter::Dimension;
-use tremolite_motion::{Intensity, Motion, pseudo_acceleration};
+use tremolite_motion::{Intensity, Motion, TargetSpectrum, pseudo_acceleration};
 
 /// What is measured of one component.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +25,9 @@ pub enum Kind {
     Cav,
     /// Pseudo-acceleration of an oscillator with this period \[s\] and damping ratio.
     Sa { period: f64, damping: f64 },
+    /// e to the mean of ln(Sa/target) over a band of periods \[s\], equally by their logarithm, at the target's damping: 1 for a motion that fits
+    /// it in the mean.
+    Target { from: f64, to: f64 },
 }
 
 /// How one number comes of two horizontal components.
@@ -48,7 +54,8 @@ pub struct Measure {
 
 /// What may be written.
 pub const FORMS: &str = "PGA, PGV, PGD, Arias, CAV, Sa(0.5 s) or Sa(0.5 s, 5 %), alone (the larger horizontal component) or behind \
-                         geometric-mean, RotD50, RotD100, x, y or z: \"RotD50 Sa(0.5 s, 5 %)\"";
+                         geometric-mean, RotD50, RotD100, x, y or z: \"RotD50 Sa(0.5 s, 5 %)\"; or target(0.2 s, 2 s), Sa over a target \
+                         spectrum in a band";
 
 const COMPONENTS: [(&str, Of); 7] = [
     ("largest", Of::Largest),
@@ -82,10 +89,25 @@ impl Measure {
             return Ok(Measure { of, kind: *kind });
         }
         let unknown = || format!("`{text}` is no measure of intensity");
-        let inside = rest
-            .get(..2)
-            .filter(|sa| sa.eq_ignore_ascii_case("Sa"))
-            .and_then(|_| rest[2..].trim().strip_prefix('(')?.strip_suffix(')'));
+        let inside = |name: &str| {
+            let named = rest.get(..name.len()).filter(|own| own.eq_ignore_ascii_case(name));
+            named.and_then(|_| rest[name.len()..].trim().strip_prefix('(')?.strip_suffix(')'))
+        };
+        if let Some(band) = inside("target") {
+            let (from, to) = band.split_once(',').ok_or_else(|| {
+                format!("`{text}` needs two periods, the band in which Sa is set beside the target")
+            })?;
+            let [from, to] =
+                [from, to].map(|t| units::parse(t, Dimension::TIME).map_err(|e| e.message("period")));
+            let (from, to) = (from?, to?);
+            if !(from > 0.0 && to >= 1.5 * from) {
+                return Err(format!(
+                    "`{text}` needs the shorter period first, the longer at least half as long again"
+                ));
+            }
+            return Ok(Measure { of, kind: Kind::Target { from, to } });
+        }
+        let inside = inside("Sa");
         let (period, damping) = match inside.ok_or_else(unknown)?.split_once(',') {
             Some((period, damping)) => (period, damping),
             None => (inside.unwrap_or_default(), "5 %"),
@@ -103,6 +125,7 @@ impl Measure {
             Kind::Pga | Kind::Sa { .. } => Dimension::ACCELERATION,
             Kind::Pgv | Kind::Arias | Kind::Cav => Dimension::VELOCITY,
             Kind::Pgd => Dimension::LENGTH,
+            Kind::Target { .. } => Dimension::NONE,
         }
     }
 
@@ -112,6 +135,7 @@ impl Measure {
             Kind::Pga | Kind::Sa { .. } => ("g", units::STANDARD_GRAVITY),
             Kind::Pgv | Kind::Arias | Kind::Cav => ("m/s", 1.0),
             Kind::Pgd => ("m", 1.0),
+            Kind::Target { .. } => ("1", 1.0),
         }
     }
 
@@ -126,11 +150,18 @@ impl Measure {
         if self.kind == Kind::Arias { now * factor * factor } else { now * factor.abs() }
     }
 
-    /// The measure in SI.
+    /// The measure in SI; `target` is the spectrum that one over a target is over.
     ///
     /// # Errors
-    /// None for measures that were read and motions that hold what they promise.
-    pub fn of(&self, motion: &Motion) -> Result<f64, tremolite_motion::Error> {
+    /// Where there is no target for it, or none in its band; else none for measures that were read and motions that hold what they promise.
+    pub fn of(
+        &self,
+        motion: &Motion,
+        target: Option<&TargetSpectrum>,
+    ) -> Result<f64, tremolite_motion::Error> {
+        if let Kind::Target { from, to } = self.kind {
+            return over_target(self.of, [from, to], motion, target);
+        }
         let along = |axis: usize| self.kind.of(&motion.acceleration[axis], motion.dt);
         Ok(match self.of {
             Of::Axis(axis) => along(axis)?,
@@ -189,100 +220,13 @@ impl std::fmt::Display for Measure {
         if let Kind::Sa { period, damping } = self.kind {
             return write!(f, "Sa({period} s, {} %)", tremolite_case::study::rounded(100.0 * damping));
         }
+        if let Kind::Target { from, to } = self.kind {
+            return write!(f, "target({from} s, {to} s)");
+        }
         let name = PLAIN.iter().find(|(_, kind)| *kind == self.kind).map_or("", |(name, _)| name);
         f.write_str(name)
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn measure(text: &str) -> Measure {
-        Measure::parse(text).unwrap_or_else(|e| panic!("{text}: {e}"))
-    }
-
-    fn motion() -> Motion {
-        let wave = |f: f64, a: f64| (0..400).map(|k| a * (f * f64::from(k)).sin()).collect::<Vec<f64>>();
-        Motion::from_acceleration(0.01, [wave(0.13, 2.0), wave(0.21, 1.0), wave(0.4, 3.0)]).unwrap()
-    }
-
-    #[test]
-    fn measures_are_read_and_written_alike() {
-        for (text, written) in [
-            ("PGA", "PGA"),
-            ("pgv", "PGV"),
-            (" Sa(0.5 s) ", "Sa(0.5 s, 5 %)"),
-            ("sa(500 ms, 0.02)", "Sa(0.5 s, 2 %)"),
-            ("RotD50 Sa(1 s, 5 %)", "RotD50 Sa(1 s, 5 %)"),
-            ("geometric-mean  Arias", "geometric-mean Arias"),
-            ("z PGA", "z PGA"),
-        ] {
-            assert_eq!(measure(text).to_string(), written);
-            assert_eq!(measure(written), measure(text));
-        }
-        for text in [
-            "",
-            "PGX",
-            "Sa",
-            "Sa()",
-            "Sa(0.5)",
-            "Sa(0.5 m)",
-            "Sa(-1 s)",
-            "Sa(1 s, 5 s)",
-            "Sa(1 s",
-            "w PGA",
-            "RotD50",
-            "ßa(1 s)",
-        ] {
-            assert!(Measure::parse(text).is_err(), "{text}");
-        }
-    }
-
-    #[test]
-    fn a_scaled_motion_has_the_level_that_was_asked_for() {
-        let motion = motion();
-        for text in [
-            "PGA",
-            "PGV",
-            "PGD",
-            "Arias",
-            "CAV",
-            "Sa(0.3 s)",
-            "RotD50 Sa(0.3 s)",
-            "geometric-mean PGV",
-            "x Arias",
-            "RotD100 PGA",
-        ] {
-            let measure = measure(text);
-            let now = measure.of(&motion).unwrap();
-            let factor = measure.factor(now, 0.7);
-            let found = measure.of(&motion.clone().scaled(factor)).unwrap();
-            assert!((found / 0.7 - 1.0).abs() < 1e-12, "{text}: {found}");
-            assert!((measure.scaled(now, factor) / 0.7 - 1.0).abs() < 1e-12);
-        }
-    }
-
-    /// Of one component a that does not change its direction: |cos θ| of it in direction θ, the median over a half circle is
-    /// cos 45° of it, and the largest all of it.
-    #[test]
-    fn a_motion_along_one_line_has_the_median_of_a_cosine() {
-        let of = |x: f64, y: f64| {
-            let a: Vec<f64> = (0..300).map(|k| (0.1 * f64::from(k)).sin()).collect();
-            let scaled = |f: f64| a.iter().map(|v| f * v).collect::<Vec<f64>>();
-            Motion::from_acceleration(0.01, [scaled(x), scaled(y), scaled(0.0)]).unwrap()
-        };
-        let along = measure("x PGA").of(&of(1.0, 0.0)).unwrap();
-        for (x, y) in [(1.0, 0.0), (0.6, 0.8), (0.0, 1.0)] {
-            let motion = of(x, y);
-            // Steps of one degree.
-            let median = measure("RotD50 PGA").of(&motion).unwrap() / along;
-            assert!((median - 0.5_f64.sqrt()).abs() < 0.01, "{median}");
-            assert!((measure("RotD100 PGA").of(&motion).unwrap() / along - 1.0).abs() < 2e-4);
-        }
-        let mean = measure("geometric-mean PGA").of(&of(0.5, 2.0)).unwrap();
-        assert!(
-            (mean / along - 1.0).abs() < 1e-12 && measure("PGA").of(&of(0.5, 2.0)).unwrap() == 2.0 * along
-        );
-    }
-}
+mod tests;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde_json::Value;
-use tremolite_case::study::{Measure, MeasureOf, Take};
+use tremolite_case::study::{Checks, Measure, MeasureOf, Take};
 use tremolite_results::Table;
 
 /// What a run left, to take numbers out of.
@@ -29,11 +29,17 @@ impl<'a> Results<'a> {
         self.summary.pointer("/run/program").and_then(Value::as_str).unwrap_or_default()
     }
 
-    /// The number of a measure, SI.
+    /// The number of a measure, SI; none where the study wants it left out of this run.
     ///
     /// # Errors
     /// Why there is none, in words.
-    pub fn number(&self, measure: &Measure) -> Result<f64, String> {
+    pub fn number(&self, measure: &Measure) -> Result<Option<f64>, String> {
+        if let Some((path, names)) = &measure.unless
+            && let Ok(Value::String(listed)) = find(&self.summary, path.trim())
+            && listed.split(',').any(|one| names.iter().any(|name| name == one.trim()))
+        {
+            return Ok(None);
+        }
         let found = match &measure.of {
             MeasureOf::Summary { path, over } => {
                 let above = at(&self.summary, path)?;
@@ -46,19 +52,32 @@ impl<'a> Results<'a> {
                 }
             }
             MeasureOf::Column { table, column, take } => self.column(table, column, *take),
+            MeasureOf::Checks(which) => self.checks(*which),
         };
         match (found, measure.otherwise) {
-            (Err(_), Some(otherwise)) => Ok(otherwise),
-            (found, _) => {
-                found.and_then(|x| if x.is_finite() { Ok(x) } else { Err("it is no finite number".into()) })
-            }
+            (Err(_), Some(otherwise)) => Ok(Some(otherwise)),
+            (Ok(x), _) if !x.is_finite() => Err("it is no finite number".into()),
+            (found, _) => found.map(Some),
         }
+    }
+
+    /// How many checks there are, but for those that say nothing of this run.
+    fn checks(&self, which: Checks) -> Result<f64, String> {
+        let all = self.summary.get("trust").and_then(Value::as_array).ok_or("summary.json has no checks")?;
+        let is = |check: &Value, key: &str| check.get(key).and_then(Value::as_bool).unwrap_or(false);
+        let counted = |check: &&Value| match which {
+            _ if is(check, "not_applicable") => false,
+            Checks::Judged => true,
+            Checks::Passed => is(check, "pass"),
+            Checks::Missed => !is(check, "pass"),
+        };
+        Ok(all.iter().filter(counted).count() as f64)
     }
 
     /// The unit of a measure, where the files tell it.
     pub fn unit(&self, measure: &Measure) -> Option<String> {
         match &measure.of {
-            MeasureOf::Summary { .. } => None,
+            MeasureOf::Summary { .. } | MeasureOf::Checks(_) => None,
             MeasureOf::Column { table, column, .. } => {
                 Table::read(&self.folder.join(&table.value)).ok()?.unit(column).map(str::to_owned)
             }
@@ -166,7 +185,9 @@ mod tests {
 
     const SUMMARY: &str = r#"{
         "damage": {"a": {"volume": 1}, "a.lining": {"volume": 8.0, "measures": {"d": {"beyond": {"0.5": 2.0}}}}},
-        "gap": null, "trust": [{"id": "energy", "value": 0.01}], "text": "no"
+        "gap": null, "text": "no",
+        "trust": [{"id": "energy", "value": 0.01, "pass": true}, {"id": "loose", "pass": false, "monitors": "A, D"},
+                  {"id": "none", "pass": true, "not_applicable": true}]
     }"#;
 
     #[test]
@@ -191,7 +212,7 @@ mod tests {
             ("text", "is no number"),
             ("text.more", "nothing stands below"),
             ("trust.value", "write [0]"),
-            ("trust[none].value", "no entry [none]"),
+            ("trust[nobody].value", "no entry [nobody]"),
         ] {
             let why = at(&summary, path).unwrap_err();
             assert!(why.contains(says), "{path}: {why}");
@@ -216,5 +237,28 @@ mod tests {
         }
         assert!(results.column("m.csv", "U", Take::Max).unwrap_err().contains("did you mean `u`?"));
         assert!(results.column("n.csv", "u", Take::Max).is_err());
+    }
+
+    #[test]
+    fn checks_are_counted_and_measures_of_named_places_left_out() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("summary.json"), SUMMARY).unwrap();
+        let results = Results::of(folder.path()).unwrap();
+        let study = |measure: &str| {
+            let text = format!(
+                "title = \"t\"\ncase = \"c.toml\"\n[[row]]\nname = \"a\"\n[measure]\nm = {{ {measure} }}\n"
+            );
+            let study = tremolite_case::study::StudyFile::parse(Path::new("s.toml"), &text);
+            results.number(&study.unwrap_or_else(|e| panic!("{measure}: {e}")).measures[0])
+        };
+        for (word, number) in [("passed", 1.0), ("missed", 1.0), ("judged", 2.0)] {
+            assert_eq!(study(&format!("checks = \"{word}\"")), Ok(Some(number)));
+        }
+        let of = |names: &str| {
+            study(&format!(
+                "summary = 'damage.a.volume', unless = 'trust[loose].monitors', names = [{names}]"
+            ))
+        };
+        assert_eq!([of("'A'"), of("'B', 'D'"), of("'B'")], [Ok(None), Ok(None), Ok(Some(1.0))]);
     }
 }

@@ -4,7 +4,8 @@ use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
 use tremolite_case::study::StudyFile;
-use tremolite_case::{Case, Change, Diagnostic, Laws, Report};
+use tremolite_case::{self as case, Case, Change, Diagnostic, Laws, Report};
+use tremolite_motion::TargetSpectrum;
 
 use crate::Plan;
 
@@ -26,6 +27,29 @@ pub fn base(study: &StudyFile, laws: Laws<'_>) -> Result<Case, Report> {
     let set: Vec<Placed> =
         study.set.iter().map(|s| placed(&s.path.value, &s.value, s.path.span.clone())).collect();
     changed(study, &written, &set, laws)
+}
+
+/// The spectrum that the study names; nothing where it leaves that to the case.
+///
+/// # Errors
+/// What is no spectrum, at its place in the study.
+pub fn target(study: &StudyFile) -> Result<Option<TargetSpectrum>, Report> {
+    let Some(named) = study.scale.as_ref().and_then(|scale| scale.target.as_ref()) else { return Ok(None) };
+    let file = study.directory().join(&named.value);
+    let read = if file.is_file() { TargetSpectrum::read(&file) } else { TargetSpectrum::parse(&named.value) };
+    read.map(Some).map_err(|e| {
+        let (message, remedy) = e.message_and_remedy();
+        study.report(vec![Diagnostic::at(named, message, remedy)])
+    })
+}
+
+/// The spectrum that a case calls for.
+///
+/// # Errors
+/// If an acceleration of it is 0, beside which nothing can be set.
+pub fn target_of_case(target: &case::TargetSpectrum) -> Result<TargetSpectrum, tremolite_motion::Error> {
+    let points: Vec<[f64; 2]> = target.period.iter().zip(&target.sa).map(|(&t, &a)| [t, a]).collect();
+    TargetSpectrum::of_table("the case's target", 0.05, &points)
 }
 
 /// The case of a sample.

@@ -5,6 +5,7 @@ mod influence;
 
 use std::path::Path;
 
+use tremolite_case::Language;
 use tremolite_case::study::{Quantity, StudyFile};
 use tremolite_results::study::{OverRecords, RunStatus, Study, StudyColumn, StudyRun};
 
@@ -50,7 +51,7 @@ pub fn gather(study: &StudyFile, plan: &Plan, prepared: &[Prepared], out: &Path)
                 units[k] = results.unit(measure);
             }
             match results.number(measure) {
-                Ok(number) => Some(number),
+                Ok(number) => number,
                 Err(why) => {
                     let (measure, run) = (measure.name.value.clone(), run.name.clone());
                     missing.push(Missing { measure, run, why });
@@ -70,6 +71,7 @@ pub fn gather(study: &StudyFile, plan: &Plan, prepared: &[Prepared], out: &Path)
     };
     let mut found = Study {
         title: study.title.value.clone(),
+        language: study.language.unwrap_or(Language::En).word().to_owned(),
         file: study.path.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default(),
         case: study.case.value.to_string_lossy().into_owned(),
         parameters: plan.parameters.iter().map(|p| plain(&p.path, p.unit.clone())).collect(),

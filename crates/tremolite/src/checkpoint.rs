@@ -114,6 +114,11 @@ pub fn read_hand_over(folder: &Path, state: &mut State, fingerprint: u64) -> Res
     })
 }
 
+/// Whether a folder has what [`write_hand_over`] left and no checkpoint: of a run that was killed soon after its stages.
+pub fn is_hand_over_alone(folder: &Path) -> bool {
+    folder.join(HAND_OVER).is_file() && !folder.join(FILE).exists()
+}
+
 /// Whether [`read_hand_over`] will take what is there, by its header alone.
 ///
 /// # Errors

@@ -89,7 +89,7 @@ const TRIES: usize = 4;
 pub enum Start<'a> {
     /// Rest, before all stages.
     Rest,
-    /// The checkpoint of its own folder.
+    /// The checkpoint of its own folder, or what its earthquake began with where there is none yet.
     Resume,
     /// What another run of the same model had come to before the earthquake.
     From(&'a ResultFolder),
@@ -198,16 +198,24 @@ impl Simulation {
         }
         match start {
             Start::Rest => simulation.state = simulation.at_rest(),
+            Start::Resume if checkpoint::is_hand_over_alone(&folder.checkpoint()) => {
+                simulation.shake_from(folder)?
+            }
             Start::Resume => simulation.restore()?,
             Start::From(other) => {
-                simulation.state = simulation.at_rest();
-                checkpoint::read_hand_over(&other.checkpoint(), &mut simulation.state, fingerprint)?;
-                simulation.state.dt = dt;
-                simulation.take_stages()?;
+                simulation.shake_from(other)?;
                 simulation.hand_over_begins()?;
             }
         }
         Ok(simulation)
+    }
+
+    /// Begins with what a run had come to before its earthquake.
+    fn shake_from(&mut self, folder: &ResultFolder) -> Result<(), RunError> {
+        self.state = self.at_rest();
+        checkpoint::read_hand_over(&folder.checkpoint(), &mut self.state, self.fingerprint)?;
+        self.state.dt = self.dt;
+        self.take_stages()
     }
 
     /// From now on what an observer does not want is not a number to it: a mode for tests, slower, with the same files where every

@@ -10,9 +10,10 @@ use crate::keys::{Key, Kind, Table};
 
 pub(super) static PLANE: Table = Table {
     path: "mesh.plane",
-    doc: "A plane that cuts generated ground, a fault or the border of a layer: nodes move onto it and elements part along it. Its \
-          strike is that of the caverns, along y. Its sides are the groups `NAME.above` and `NAME.below`, beside those that are there: \
-          all elements but linings and shotcrete, which stay whole; of a plane with an `extent` those that touch it. An [[interface]] \
+    doc: "A plane that cuts generated ground, a fault or the border of a layer: nodes move onto it and elements part along it. One \
+          that strikes along y, as the caverns do, leaves wedges alone; others divide elements into pyramids and tetrahedra as well. Its \
+          sides are the groups `NAME.above` and `NAME.below`, beside those that are there: \
+          all elements but linings and shotcrete, which belong to neither; of a plane with an `extent` those that touch it. An [[interface]] \
           between the two lets it slide and open.",
     keys: &[
         Key::required("name", Kind::Name, "first part of the names of its groups"),

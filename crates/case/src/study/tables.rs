@@ -2,7 +2,8 @@
 
 use tremolite_laws::parameter::Dimension;
 
-use super::{Design, FailedRun, Keep, SampleKind, Take};
+use super::{Checks, Design, FailedRun, Keep, SampleKind, Take};
+use crate::Language;
 use crate::check::UNITS;
 use crate::keys::{Key, Kind, Limit, Table, When};
 use crate::motion::{COMPONENT, WINDOW_KIND};
@@ -17,6 +18,12 @@ pub(super) static STUDY: Table = Table {
         Key::required("title", Kind::Text, "what the study asks"),
         UNITS,
         Key::required("case", Kind::Text, "the case file that its runs are made of, from the study's folder"),
+        Key::optional(
+            "language",
+            Kind::Word(Language::WORDS),
+            "",
+            "The page's language; that of the case where it is left out",
+        ),
         Key::optional("sample", Kind::Table(&SAMPLE), "", "How values of the varied keys are chosen"),
         Key::optional("correlation", Kind::Tables(&CORRELATION), "", "Varied keys whose ranks go together"),
         Key::optional("record", Kind::Tables(&RECORD), "", "Records in place of the case's own"),
@@ -96,7 +103,7 @@ static SCALE: Table = Table {
         Key::required(
             "measure",
             Kind::Text,
-            "the intensity measure: \"PGA\", \"PGV\", \"Arias\", \"Sa(0.5 s)\", \"RotD50 Sa(0.5 s, 5 %)\"",
+            "the intensity measure: \"PGA\", \"PGV\", \"Arias\", \"Sa(0.5 s)\", \"RotD50 Sa(0.5 s, 5 %)\", \"target(0.2 s, 2 s)\"",
         ),
         Key::optional(
             "levels",
@@ -116,9 +123,12 @@ static SCALE: Table = Table {
             "\"cross\"",
             "How samples, records and levels go together",
         ),
-        Key::later(
+        Key::optional(
             "target",
-            "scale by one measure with `levels`: scaling to a spectrum over a band is planned",
+            Kind::Text,
+            "",
+            "The spectrum of \"target(0.2 s, 2 s)\": \"EN 1998-1 type 1 ground B 2 m/s2\" or a CSV file; [motion.target] of the case where it is \
+             left out",
         ),
     ],
     choice: &[&["levels"], &["ida"]],
@@ -163,9 +173,22 @@ static MEASURE: Table = Table {
         Key::optional("table", Kind::Text, "", "A table of the results: \"monitors.csv\""),
         Key::required("column", Kind::Text, "its column: \"A-B.u\"").when(When::Beside("table")),
         Key::required("take", Kind::Word(Take::WORDS), "which of its numbers").when(When::Beside("table")),
+        Key::optional("checks", Kind::Word(Checks::WORDS), "", "How many checks of the run"),
         Key::optional("otherwise", NUMBER, "", "The value where the results hold no such number"),
+        Key::optional(
+            "unless",
+            Kind::Text,
+            "",
+            "A text of summary.json by its path: the measure stays empty where it lists one of `names`",
+        ),
+        Key::required(
+            "names",
+            Kind::List(&Kind::Text, 1, 100),
+            "which names, such as those of the monitors that it is of",
+        )
+        .when(When::Beside("unless")),
     ],
-    choice: &[&["summary"], &["table"]],
+    choice: &[&["summary"], &["table"], &["checks"]],
 };
 
 static FRAGILITY: Table = Table {

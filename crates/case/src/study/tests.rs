@@ -79,7 +79,7 @@ fn what_is_wrong_is_told_at_its_line_with_a_way_out() {
             "a correlation has no meaning",
         ),
         ("count = 10", "", "`count` is missing beside"),
-        ("levels = [\"0.1 g\", \"0.2 g\"]", "target = \"x\"", "`target` is not available yet"),
+        ("levels = [\"0.1 g\", \"0.2 g\"]", "target = \"x\"", "levels"),
         ("measure = \"cracked\"", "measure = \"craked\"", "did you mean `cracked`?"),
         ("above = [0.1, 0.2]", "above = [0.2, 0.1]", "the least first"),
         ("failed = \"exceeds\"", "", "`failed` is missing"),

@@ -8,7 +8,7 @@ use tremolite_report::Language;
 
 #[derive(clap::Args)]
 pub struct Args {
-    /// The result folder
+    /// The result folder, or that of a study
     #[arg(required_unless_present = "compare", conflicts_with = "compare")]
     folder: Option<PathBuf>,
     /// Two or more result folders to set beside one another, the first being that which the others are compared with
@@ -26,6 +26,14 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Outcome {
+    if let Some(folder) = args.folder.as_ref().filter(|folder| folder.join("study.json").is_file()) {
+        if args.limits.is_some() {
+            return Err(Failure::input("--limits: a study has none; give them to the folder of a run"));
+        }
+        let page = tremolite_report::study(folder, args.language).map_err(Failure::failed)?;
+        print(&page.display().to_string());
+        return Ok(Code::Done);
+    }
     for folder in args.folder.iter().chain(&args.compare) {
         tremolite_results::ResultFolder::open_existing(folder).map_err(Failure::input)?;
     }

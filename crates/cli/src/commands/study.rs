@@ -81,7 +81,7 @@ impl Retry {
 }
 
 pub fn run(args: &Args) -> Outcome {
-    let study = StudyFile::read(&args.study).map_err(|report| Failure::case(&report))?;
+    let mut study = StudyFile::read(&args.study).map_err(|report| Failure::case(&report))?;
     let table = table(&study)?;
     let plan =
         Plan::of(&study, table.as_deref()).map_err(|problems| Failure::case(&study.report(problems)))?;
@@ -94,7 +94,8 @@ pub fn run(args: &Args) -> Outcome {
         let only = only(&plan, word)?;
         chosen.retain(|run| only.contains(run));
     }
-    let planned = planned::of(&study, &plan)?;
+    let (planned, language) = planned::of(&study, &plan)?;
+    study.language.get_or_insert(language);
     if args.list {
         let chosen: Vec<usize> = chosen.clone();
         print(tables::plan(&study, &plan, &planned, &chosen).trim_end());
@@ -135,12 +136,15 @@ pub fn run(args: &Args) -> Outcome {
             out.display()
         ));
         stopped = queue.work(at_once)?;
+    } else {
+        let stop = Arc::new(AtomicBool::new(false));
+        Queue::new(&study, &plan, &planned, &out, Vec::new(), 1, stop)?.tidy_all()?;
     }
     let (found, missing) = tables::write(&study, &plan, &planned, &out)?;
     if let Some(first) = missing.first() {
         return Err(lacks(&study, first));
     }
-    let page = tremolite_report::study(&out).map_err(Failure::failed)?;
+    let page = tremolite_report::study(&out, None).map_err(Failure::failed)?;
     told(&found, &chosen);
     say(&format!(
         "{} and {}; open {}",

@@ -56,13 +56,14 @@ fn patterns() -> BTreeMap<String, String> {
     let mut files = BTreeMap::new();
     sources(&crates.join("report/src"), &mut files);
     sources(&crates.join("tremolite/src"), &mut files);
+    sources(&crates.join("study/src"), &mut files);
     let mut patterns = BTreeMap::new();
     for (file, text) in files {
         let mut found = Vec::new();
         spoken(text.parse().unwrap_or_else(|e| panic!("{file}: {e}")), &mut found);
         patterns.extend(found.into_iter().map(|pattern| (pattern, file.clone())));
     }
-    for name in ["report.html", "compare.html"] {
+    for name in ["report.html", "compare.html", "study.html"] {
         let template = crates.join("report/template").join(name);
         let text = fs::read_to_string(&template).unwrap();
         patterns.extend(asked(&text).map(|pattern| (pattern, template.display().to_string())));

@@ -101,11 +101,57 @@ fn level_ground_rests_across_a_plane_whether_joined_or_not() {
     assert!(slid > 1e-9 || summary["status"] != "done", "{slid}");
 }
 
+/// A plane of any strike, cut in space: what rests beside it rests, tied or on a joint, which then bears σ_n and τ of the stress there.
+#[test]
+fn level_ground_rests_across_a_plane_of_any_strike() {
+    let block = CASE
+        .replace(
+            r#"x = { from = "-15 m", to = "15 m", elements = 15 }"#,
+            r#"x = { from = "-8 m", to = "8 m", elements = 8 }"#,
+        )
+        .replace(
+            r#"y = { from = 0, to = "2 m", elements = 1 }"#,
+            r#"y = { from = "-8 m", to = "8 m", elements = 8 }"#,
+        )
+        .replace(
+            r#"z = { from = "-20 m", to = 0, elements = 10 }"#,
+            r#"z = { from = "-16 m", to = 0, elements = 8 }"#,
+        )
+        .replace(r#"["1 m", 0, "-10 m"]"#, r#"[0, 0, "-8 m"]"#)
+        .replace("\"45 deg\"", "\"60 deg\"");
+    let joint = JOINT.replace(r#"["1 m", "1 m", "-10 m"]"#, r#"[0, 0, "-8 m"]"#);
+    let folder = tempfile::tempdir().unwrap();
+    // Directions that mirror one another in the diagonal of the block.
+    let turned = |degrees: u32| block.replace("\"90 deg\"", &format!("\"{degrees} deg\""));
+    for (case, out) in [(turned(75), "tied"), (turned(75) + &joint, "joint"), (turned(15) + &joint, "turned")]
+    {
+        let output = run(folder.path(), &case, out);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let summary = summary(folder.path(), out);
+        let peak = |name: &str, quantity: &str| {
+            let of = &summary["monitors"][name][quantity];
+            let value = |key: &str| of[key].as_f64().unwrap();
+            value("max").abs().max(value("min").abs())
+        };
+        let still = peak("A", "vx").max(peak("A", "vy")).max(peak("A", "vz"));
+        assert!(still < 1e-9, "{out}: {still}");
+        if out != "tied" {
+            // n = (sin δ sin ψ, sin δ cos ψ, cos δ) in σ_v, 0.6 σ_v, 0.6 σ_v.
+            let vertical = 2700.0 * 9.81 * 8.0;
+            let (sin, cos) = 60_f64.to_radians().sin_cos();
+            let pressure = peak("J", "pressure") / ((cos * cos + 0.6 * sin * sin) * vertical);
+            let shear = peak("J", "shear1").hypot(peak("J", "shear2")) / (0.4 * sin * cos * vertical);
+            println!("{out}: pressure {pressure}, shear {shear} of the exact");
+            assert!((pressure - 1.0).abs() < 5e-3 && (shear - 1.0).abs() < 5e-3, "{out}: {pressure} {shear}");
+            assert!(peak("J", "slip1").max(peak("J", "slip2")) < 1e-9, "{out}");
+        }
+    }
+}
+
 #[test]
 fn planes_that_cannot_cut_are_refused_at_their_lines() {
     let folder = tempfile::tempdir().unwrap();
     for (from, to, line, says) in [
-        ("\"90 deg\"", "\"30 deg\"", 6, "Gmsh"),
         ("\"-10 m\"]", "\"-90 m\"]", 6, "move `through`"),
         ("dip = \"45 deg\"", "dip = \"95 deg\"", 9, "from 0 to 90"),
         ("[\"rock\"]", "[\"rock\", \"fault.above\", \"fault.abov\"]", 17, "did you mean 'fault.above'"),

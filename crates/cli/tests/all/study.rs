@@ -340,3 +340,134 @@ fn a_record_that_has_changed_is_another_run_and_a_measure_that_is_lacking_stops_
         );
     }
 }
+
+/// What the runs of a study shook from, by the names of the runs.
+fn hand_overs(out: &Path) -> Vec<String> {
+    let runs = fs::read_dir(out.join("runs")).unwrap().map(|entry| entry.unwrap());
+    let has = runs.filter(|run| run.path().join("results/checkpoint/hand-over.bin").is_file());
+    has.map(|run| run.file_name().to_string_lossy().into_owned()).collect()
+}
+
+/// The one that goes through the stages for all is killed as the ground shakes, before its first checkpoint: it goes on from where its stages
+/// ended, and so do the others. (It went through them again.)
+#[test]
+fn a_leader_that_was_killed_does_not_go_through_its_stages_again() {
+    let folder = folder(STUDY);
+    let folder = folder.path();
+    let done = study(folder, &["--out", "out", "--at-once", "1"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    let table = bytes(folder, "out/study.csv");
+    let results = folder.join("out/runs/s1_east_0.02-m-s/results");
+    let log = fs::read_to_string(results.join("log.txt")).unwrap();
+    assert!(!log.contains("--from"), "{log}");
+    let kept = |name: &str| fs::read(results.join(name)).unwrap();
+    let (stages, monitors) = (kept("stages.csv"), kept("monitors.csv"));
+    fs::remove_file(results.join("summary.json")).unwrap();
+    fs::write(results.join("monitors.csv"), &monitors[..monitors.len() / 2]).unwrap();
+    fs::remove_dir_all(folder.join("out/runs/s1_north_0.02-m-s")).unwrap();
+    let began = results.join("checkpoint/hand-over.bin");
+    let when = fs::metadata(&began).unwrap().modified().unwrap();
+
+    let again = study(folder, &["--out", "out", "--at-once", "2"]);
+    assert_eq!(again.status.code(), Some(0), "{}", said(&again));
+    assert_eq!(
+        fs::metadata(&began).unwrap().modified().unwrap(),
+        when,
+        "its stages are not gone through again"
+    );
+    assert!(fs::read_to_string(results.join("log.txt")).unwrap().contains("--resume"));
+    assert!(kept("stages.csv") == stages && kept("monitors.csv") == monitors);
+    assert!(bytes(folder, "out/study.csv") == table);
+    let other = folder.join("out/runs/s1_north_0.02-m-s/results/log.txt");
+    assert!(fs::read_to_string(other).unwrap().contains("--from"));
+
+    // Of another version they cannot be gone on from: it begins anew.
+    fs::write(&began, "of another version").unwrap();
+    fs::remove_file(results.join("summary.json")).unwrap();
+    let again = study(folder, &["--out", "out"]);
+    assert_eq!(again.status.code(), Some(0), "{}", said(&again));
+    assert!(kept("monitors.csv") == monitors && bytes(folder, "out/study.csv") == table);
+}
+
+#[test]
+fn hand_overs_stay_while_a_run_may_want_them_and_go_once_none_does() {
+    let text = STUDY.replace("count = 2", "count = 1") + "[run]\nkeep = \"tables\"\n";
+    let folder = folder(&text);
+    let folder = folder.path();
+    let out = folder.join("out");
+    let some = study(folder, &["--out", "out", "--only", "east"]);
+    assert!(said(&some).contains("of 2 runs 2 at their end"), "{}", said(&some));
+    assert_eq!(hand_overs(&out).len(), 2, "runs are left that may want them");
+    let all = study(folder, &["--out", "out"]);
+    assert_eq!(all.status.code(), Some(0), "{}", said(&all));
+    assert_eq!(hand_overs(&out), Vec::<String>::new());
+
+    // Killed between the end of a run and what is not kept of it: the next start sees to it, or who gathers.
+    for args in [&["--out", "out"][..], &["--out", "out", "--gather"]] {
+        let results = out.join("runs/s1_north_0.04-m-s/results");
+        fs::create_dir_all(results.join("fields")).unwrap();
+        fs::create_dir_all(results.join("checkpoint")).unwrap();
+        fs::write(results.join("checkpoint/hand-over.bin"), "").unwrap();
+        let again = study(folder, args);
+        assert_eq!(again.status.code(), Some(0), "{}", said(&again));
+        assert!(!results.join("fields").exists() && hand_overs(&out).is_empty(), "{args:?}");
+    }
+
+    // Levels that are not needed want none.
+    let rising = text
+        .replace(
+            "levels = [\"0.02 m/s\", \"0.04 m/s\"]",
+            "ida = { first = \"0.02 m/s\", step = \"0.02 m/s\", most = 5, until = \"top\", above = 0.02 }",
+        )
+        .replace("above = 0.001", "above = 0.02");
+    fs::write(folder.join("study.toml"), rising).unwrap();
+    let done = study(folder, &["--out", "rising"]);
+    assert!(said(&done).contains("not needed"), "{}", said(&done));
+    assert_eq!(hand_overs(&folder.join("rising")), Vec::<String>::new());
+
+    // One that the guard stopped, or that came to no rest, may be the last.
+    let rows = "title = \"t\"\ncase = \"case.toml\"\n[[row]]\nname = \"rest\"\n[[row]]\nname = \"none\"\n\
+                set = { \"initial.max_cycles\" = 2, \"initial.release_cycles\" = 1 }\n\
+                [measure]\ntop = { table = \"monitors.csv\", column = \"top.ux\", take = \"max-abs\" }\n[run]\nkeep = \"tables\"\nat_once = 1\n";
+    fs::write(folder.join("study.toml"), rows).unwrap();
+    study(folder, &["--out", "rows"]);
+    assert_eq!(hand_overs(&folder.join("rows")), Vec::<String>::new());
+}
+
+/// A motion that fits a spectrum in the mean over a band has the level 1; twice the spectrum is half of it.
+#[test]
+fn motions_are_scaled_to_a_target_spectrum_over_a_band() {
+    let scaled = STUDY.replace("measure = \"RotD50 PGV\"", "measure = \"target(0.1 s, 1 s)\"").replace(
+        "levels = [\"0.02 m/s\", \"0.04 m/s\"]",
+        "target = \"code.csv\"\nlevels = [\"0.1\", \"20 %\"]",
+    );
+    let folder = folder(&scaled.replace("target = \"code.csv\"\n", ""));
+    let folder = folder.path();
+    let refused = study(folder, &["--out", "out", "--list"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(said(&refused).contains("[motion.target]"), "{}", said(&refused));
+    let target = "\n[motion.target]\nperiod = [\"0.1 s\", \"0.5 s\", \"2 s\"]\nsa = [\"4 m/s2\", \"4 m/s2\", \"1 m/s2\"]\n";
+    fs::write(folder.join("case.toml"), format!("{CASE}{target}")).unwrap();
+    let factors = || {
+        let listed = study(folder, &["--out", "out", "--list"]);
+        assert_eq!(listed.status.code(), Some(0), "{}", said(&listed));
+        let table = String::from_utf8(listed.stdout).unwrap();
+        assert!(table.lines().next().unwrap().contains("target(0.1 s, 1 s)"), "{table}");
+        let cell = |line: &str, k: usize| line.split(',').nth(k).unwrap().parse::<f64>().unwrap();
+        table.lines().skip(1).map(|line| cell(line, 4)).collect::<Vec<_>>()
+    };
+    let by_case = factors();
+    assert!((by_case[1] / by_case[0] - 2.0).abs() < 1e-8, "{by_case:?}");
+    // The same spectrum twice as high, by the study's own file.
+    fs::write(folder.join("code.csv"), "period [s], sa [m/s2]\n0.1, 8\n0.5, 8\n2, 2\n").unwrap();
+    fs::write(folder.join("study.toml"), &scaled).unwrap();
+    let by_file = factors();
+    assert!(by_file.iter().zip(&by_case).all(|(a, b)| (a / b - 2.0).abs() < 1e-8), "{by_file:?}");
+    fs::write(folder.join("study.toml"), scaled.replace("code.csv", "cod.csv")).unwrap();
+    let refused = study(folder, &["--out", "out", "--list"]);
+    assert!(
+        said(&refused).contains("EN 1998-1") && said(&refused).contains("study.toml:"),
+        "{}",
+        said(&refused)
+    );
+}

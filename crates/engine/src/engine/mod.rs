@@ -41,6 +41,7 @@ mod freed;
 mod gather;
 mod guard;
 mod hand_over;
+mod highest;
 mod node_step;
 mod nodes;
 mod power;

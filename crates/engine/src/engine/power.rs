@@ -2,19 +2,18 @@
 //!
 //! Artificial viscosity C′ acts at v⁻, so that Δt²K + 2Δt C′ ≤ 4M is needed, Δt ≤ 2/√λmax(M⁻¹(K + 2C′/Δt)). Since
 //! 2b/ω_e K_e weighs at most as b of the element's critical damping, Δt₀(√(1 + b²) − b) with the largest b and the step Δt₀
-//! without viscosity satisfies that; put in on the right it gives a step that is longer and satisfies it too.
+//! without viscosity satisfies that; put in on the right it gives a step that is longer and satisfies it too. A program's own part may have any
+//! C′. With Δt₀ on the right Δt₀λ/2 is at least c = λmax(M⁻¹C′), and (√(c² + 4k) − c)/k with k = λmax(M⁻¹K) satisfies it as well.
 //!
 //! Dashpots act on the mean of v⁻ and v⁺ and take energy in every step whatever its length, so they bound nothing.
 
-use super::product::{self, Product};
+use super::highest::{Highest, follow, highest};
+use super::product::Product;
 use crate::assembly::Assembly;
-use crate::member::Member;
+use crate::member::{Kind, Member};
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Scratch};
 use crate::phase::Phase;
-use crate::sums::over_nodes;
-use rayon::prelude::*;
-use std::ops::Range;
 use tremolite_laws::Row;
 
 /// What bounds the step.
@@ -102,30 +101,29 @@ fn hash(x: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-fn follow(phase: &Phase, w: &mut [Row]) {
-    for &(node, master) in &phase.tied {
-        w[node as usize] = w[master as usize];
-    }
-}
-
-const ITERATIONS: u32 = 300;
-const CONVERGED: f64 = 1e-5;
-
-/// The stable step by power iteration with the elastic stiffness (springs of the boundary included).
+/// The stable step by the largest λ of M⁻¹K, with the elastic stiffness (springs of the boundary included).
 ///
-/// The Rayleigh quotient approaches λmax from below; the iteration stops when it rises by less than 10⁻⁵ a time,
-/// or after 300 times. Callers keep a margin ([`crate::problem::TimeStep::safety`], 0.9 by default).
+/// The estimate approaches λmax from below, by less than 10⁻⁵ in its last iteration (`knyazev2001`). Callers keep a margin
+/// ([`crate::problem::TimeStep::safety`], 0.9 by default).
 pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableStep {
     let mut w = start(model, phase);
-    let Power { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);
+    let Highest { lambda, change, iterations } = highest(model, assembly, phase, Product::Stiffness, &mut w);
     let undamped = 2.0 / lambda.sqrt();
     let share = model.elements.viscosity[..model.user.elements].iter().copied().fold(0.0, f64::max);
     let mut dt_stiffness = undamped;
     let dashpots = model.seams.iter().any(|seam| seam.damping > 0.0);
-    if share > 0.0 || dashpots {
+    let own = own_viscosity(assembly, phase);
+    if share > 0.0 || dashpots || own {
         let mut mode = w.clone();
         dt_stiffness = undamped * viscous_share(share);
-        for _ in 0..VISCOUS_ROUNDS {
+        let mut rounds = VISCOUS_ROUNDS;
+        if own {
+            let with = highest(model, assembly, phase, Product::Viscous(2.0 / undamped), &mut mode);
+            let c = 0.5 * undamped * with.lambda;
+            dt_stiffness = ((c * c + 4.0 * lambda).sqrt() - c) / lambda;
+            rounds = OWN_ROUNDS;
+        }
+        for _ in 0..rounds {
             let with = highest(model, assembly, phase, Product::Viscous(2.0 / dt_stiffness), &mut mode);
             dt_stiffness = 2.0 / with.lambda.sqrt();
         }
@@ -134,7 +132,11 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
     let xi = model.scheme.rayleigh.stiffness;
     let damping_rate = model.scheme.rayleigh.mass + xi * lambda;
     let dt_damping = if damping_rate > 0.0 { 2.0 / damping_rate } else { f64::INFINITY };
-    let limit = if dt_stiffness <= dt_damping { hottest(model, assembly, phase, &w) } else { Limit::Damping };
+    let limit = if dt_stiffness <= dt_damping {
+        hottest(model, assembly, phase, &w, dt_stiffness)
+    } else {
+        Limit::Damping
+    };
     StableStep {
         dt: dt_stiffness.min(dt_damping),
         undamped,
@@ -149,59 +151,27 @@ pub fn stable_step(model: &Model, assembly: &Assembly, phase: &Phase) -> StableS
 
 /// Rounds that bring the step with viscosity up to its limit; the second gains less than a thousandth.
 const VISCOUS_ROUNDS: usize = 2;
+/// The same where a program's own part is viscous: the bound that they begin with may be a third of the limit.
+const OWN_ROUNDS: usize = 8;
+
+/// Whether a program's own part has forces that go by v⁻.
+fn own_viscosity(assembly: &Assembly, phase: &Phase) -> bool {
+    let own = phase.active.iter().map(|&m| &assembly.members[m as usize]);
+    own.filter(|member| member.kind == Kind::Own).any(|Member { part, .. }| {
+        let nodes = part.nodes();
+        let still = vec![Row::ZERO; nodes.iter().max().map_or(0, |&most| most as usize + 1)];
+        part.viscosity_times(&still, &mut vec![Row::ZERO; nodes.len()], &mut Scratch::default())
+    })
+}
 
 /// √(1 + b²) − b: what artificial viscosity b leaves of the step where it acts on every element.
 pub fn viscous_share(viscosity: f64) -> f64 {
     (1.0 + viscosity * viscosity).sqrt() - viscosity
 }
 
-/// What a power iteration found.
-struct Power {
-    lambda: f64,
-    change: f64,
-    iterations: u32,
-}
-
-/// The largest λ of M⁻¹ times a product, with its mode in `w`, from which the iteration starts.
-fn highest(model: &Model, assembly: &Assembly, phase: &Phase, product: Product, w: &mut [Row]) -> Power {
-    let mut contributions = vec![Row::ZERO; assembly.totals().contributions.end];
-    let mut kw = vec![Row::ZERO; w.len()];
-    let (mut lambda, mut change, mut iterations) = (0.0, f64::INFINITY, 0);
-    while iterations < ITERATIONS && change > CONVERGED {
-        product::times(assembly, phase, product, w, &mut contributions, &mut kw, None);
-        let [wkw, wmw] = products(model, phase, w, &kw);
-        let quotient = wkw / wmw;
-        change = ((quotient - lambda) / quotient).abs();
-        lambda = quotient;
-        iterations += 1;
-        let scale = 1.0 / (wmw.sqrt() * quotient);
-        w.par_iter_mut().zip(&kw).zip(&phase.inverse_mass).for_each(|((w, kw), inverse)| {
-            for i in 0..3 {
-                w.0[i] = kw.0[i] * inverse.0[i] * scale;
-            }
-        });
-        follow(phase, w);
-    }
-    Power { lambda, change, iterations }
-}
-
-/// wᵀKw and wᵀMw.
-fn products(model: &Model, phase: &Phase, w: &[Row], kw: &[Row]) -> [f64; 2] {
-    let one = |nodes: Range<usize>| {
-        let mut sums = [0.0; 2];
-        for n in nodes {
-            let (w, kw) = (&w[n], &kw[n]);
-            // A tied node's mass and force are its master's; its own are zero.
-            sums[0] += w.0[0] * kw.0[0] + w.0[1] * kw.0[1] + w.0[2] * kw.0[2];
-            sums[1] += phase.mass[n] * (w.0[0] * w.0[0] + w.0[1] * w.0[1] + w.0[2] * w.0[2]);
-        }
-        sums
-    };
-    over_nodes(&model.nodes, one, |a, b| [a[0] + b[0], a[1] + b[1]])
-}
-
-/// Where the mode `w` stores most energy: an element of the mesh, or a node of a part without elements.
-fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row]) -> Limit {
+/// Where the mode `w` stores most energy, or loses most to a program's own part in a step of `dt` \[s\]: an element of the mesh, or a node of
+/// a part without elements.
+fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row], dt: f64) -> Limit {
     let mut scratch = Scratch::default();
     let mut best = (0.0, Limit::Element(0));
     for &m in &phase.active {
@@ -218,6 +188,13 @@ fn hottest(model: &Model, assembly: &Assembly, phase: &Phase, w: &[Row]) -> Limi
         }
         let mut out = vec![Row::ZERO; part.nodes().len()];
         part.stiffness_times(w, &mut out, &mut scratch);
+        let mut viscous = vec![Row::ZERO; out.len()];
+        // Contact dashpots weigh less than the pairs that they are at.
+        if *kind == Kind::Own && part.viscosity_times(w, &mut viscous, &mut scratch) {
+            for (own, more) in out.iter_mut().zip(&viscous) {
+                (0..3).for_each(|i| own.0[i] += 2.0 / dt * more.0[i]);
+            }
+        }
         for (&node, f) in part.nodes().iter().zip(&out) {
             let x = w[node as usize];
             let energy = 0.5 * (f.0[0] * x.0[0] + f.0[1] * x.0[1] + f.0[2] * x.0[2]);

@@ -12,8 +12,6 @@ const GMSH: &str = "mesh the ground with the plane in Gmsh and read it as [mesh.
 pub enum CutError {
     /// The mesh has such a group.
     Known { name: String, group: String },
-    /// The strike is not along y.
-    Strike { name: String },
     /// The section is not the same all along y.
     Section { name: String },
     /// No two sides of it have elements.
@@ -29,7 +27,6 @@ impl CutError {
     pub fn plane(&self) -> &str {
         match self {
             Self::Known { name, .. }
-            | Self::Strike { name }
             | Self::Section { name }
             | Self::Misses { name }
             | Self::NoWay { name, .. }
@@ -44,11 +41,6 @@ impl fmt::Display for CutError {
             Self::Known { name, group } => {
                 write!(f, "the mesh has a group '{group}' already; give the plane '{name}' another name")
             }
-            Self::Strike { name } => write!(
-                f,
-                "plane '{name}' does not strike along y, as the caverns do, and so it does not cut generated ground; give it a \
-                 `dip_direction` of 90 deg or 270 deg, or {GMSH}"
-            ),
             Self::Section { name } => write!(
                 f,
                 "plane '{name}' meets ground whose section is not the same all along y; let the ground's surface not vary along y, or \

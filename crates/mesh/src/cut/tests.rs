@@ -250,11 +250,6 @@ fn two_planes_cross_and_a_third_ends_in_the_rock() {
 #[test]
 fn what_cannot_be_cut_says_the_way_out_and_stays() {
     let base = block();
-    let bent = {
-        let mut mesh = base.clone();
-        mesh.nodes[7][2] += 0.1;
-        mesh
-    };
     let at = [0.0, 0.0, -20.0];
     let known = {
         let mut mesh = base.clone();
@@ -262,9 +257,7 @@ fn what_cannot_be_cut_says_the_way_out_and_stays() {
         mesh
     };
     for (mesh, cut, says) in [
-        (&base, fault(at, 50.0, 30.0), "90 deg or 270 deg"),
         (&base, fault([0.0, 0.0, 20.0], 20.0, 90.0), "move `through`"),
-        (&bent, fault(at, 50.0, 90.0), "Gmsh"),
         (&known, fault(at, 50.0, 90.0), "another name"),
     ] {
         let mut tried = mesh.clone();

@@ -12,14 +12,17 @@ SI inside; texts with units where a case file has them. z points up, stresses ar
 xy, yz, zx. The same case gives the same bits here and from the command line.
 """
 
-from ._by_element import by_element
+from ._by_element import Field, by_element
 from ._fields import FieldFile, Grid
+from ._fitting import Candidate, artificial, select
 from ._law import InterfacePath, Law, MaterialPath, law
 from ._mesh import Mesh
 from ._motion import Channel, Motion
+from ._own import NodalForce, Observer
 from ._results import Result, compare
 from ._tables import Table
 from ._tremolite import (
+    Beginning,
     Case,
     CaseError,
     CaseWarning,
@@ -32,15 +35,19 @@ from ._tremolite import (
     Simulation,
     StageEnd,
     Stopped,
+    Target,
     __version__,
 )
 
 __all__ = [
+    "Beginning",
+    "Candidate",
     "Case",
     "CaseError",
     "CaseWarning",
     "Channel",
     "Error",
+    "Field",
     "FieldFile",
     "Grid",
     "InterfacePath",
@@ -50,6 +57,8 @@ __all__ = [
     "MaterialPath",
     "Mesh",
     "Motion",
+    "NodalForce",
+    "Observer",
     "Problem",
     "Result",
     "RunError",
@@ -58,8 +67,11 @@ __all__ = [
     "StageEnd",
     "Stopped",
     "Table",
+    "Target",
     "__version__",
+    "artificial",
     "by_element",
     "compare",
     "law",
+    "select",
 ]

@@ -54,7 +54,7 @@ class Mesh:
 
     def __post_init__(self) -> None:
         blocks = self.cells.items() if isinstance(self.cells, Mapping) else self.cells
-        made = {
+        made: dict[str, Any] = {
             "points": _array(self.points, "points", float, 3),
             "cells": [(str(kind), _array(block, f"the block {kind}", np.int64, None)) for kind, block in blocks],
             "groups": {str(name): _indices(group, f"the group {name}") for name, group in self.groups.items()},
@@ -98,7 +98,8 @@ class Mesh:
         """A mesh of meshio's: all blocks of solids, by their corners; groups by physical names, cell sets, or else by number.
 
         Quadrilaterals and triangles in a cell set or with a physical name become named faces of the solids beside them. Raises `Error`
-        where there are no solids, or solids of a kind that no run knows. Groups without elements, and surface cells that lie on no solid, are left out.
+        where there are no solids, or solids of a kind that no run knows. Groups without elements, and surface cells that lie on no
+        solid, are left out.
         """
         blocks: list[tuple[str, np.ndarray]] = []
         first: list[int | None] = []
@@ -106,7 +107,8 @@ class Mesh:
         for block in mesh.cells:
             kind = _OF_MESHIO.get(block.type)
             if kind is None and not block.type.startswith(_FLAT):
-                raise Error(f"the mesh has {len(block.data)} cells of the kind {block.type}, which no run knows; take them out or divide them")
+                some = len(block.data)
+                raise Error(f"the mesh has {some} cells of the kind {block.type}, which no run knows; take them out or divide them")
             first.append(None if kind is None else count)
             if kind is not None:
                 blocks.append((kind[0], np.asarray(block.data)[:, : kind[1]]))

@@ -10,7 +10,18 @@ from typing import Any
 
 import numpy as np
 
-from ._tremolite import Error, geographic, intensity, orientation, process_record, read_record, spectrum
+from ._tremolite import (
+    Error,
+    Target,
+    geographic,
+    intensity,
+    match_record,
+    misfit_of,
+    orientation,
+    process_record,
+    read_record,
+    spectrum,
+)
 
 _UNITS = {"m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01, "mm/s2": 0.001, "g": 9.80665}
 
@@ -58,6 +69,21 @@ class Channel:
         """Pseudo-acceleration (n,) [m/s²] at periods [s], for a damping ratio; period 0 gives the peak."""
         return spectrum(self.acceleration, self.dt, list(map(float, periods)), damping)
 
+    def match(self, target: Target | str, *, band: tuple[float, float] | None = None, tolerance: float = 0.05) -> Channel:
+        """It made to fit a target spectrum within `tolerance` at 200 periods of a band [s], by wavelets added in time (Al Atik and
+        Abrahamson 2010), at rest at its end: what `tremolite motion match` makes. Its sampling may be finer.
+
+        Raises `Error` where it comes no nearer, with how near it came.
+        """
+        made, _, _ = match_record(Motion([self]), _target(target), band, tolerance)
+        return replace(made[0], name=self.name, origin=self.origin)
+
+    def misfit(self, target: Target | str, *, band: tuple[float, float] | None = None) -> dict[str, float]:
+        """How far its spectrum is from a target's in a band of periods [s]: `largest` |Sa/target - 1| and the `period` [s] where it is,
+        `rms` of the same, and the `factor` that would bring it to the target in the mean of the logarithm."""
+        found, factor = misfit_of(Motion([self]), _target(target), band)
+        return {**found, "factor": factor}
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -87,6 +113,19 @@ class Motion:
     def __repr__(self) -> str:
         names = ", ".join(channel.name for channel in self.channels)
         return f"<Motion of {names}; {len(self.channels[0].acceleration)} samples of {self.channels[0].dt} s>"
+
+    def match(self, target: Target | str, *, band: tuple[float, float] | None = None, tolerance: float = 0.05) -> Motion:
+        """It with its horizontal components made to fit a target spectrum, each by itself: see `Channel.match`. What looks up stays as it
+        is, since the target is horizontal."""
+        return Motion(c if c.up else c.match(target, band=band, tolerance=tolerance) for c in self.channels)
+
+    def factor_to(self, target: Target | str, *, band: tuple[float, float] | None = None) -> float:
+        """The one factor for all components that brings the geometric mean of the horizontal ones to a target over a band of periods [s],
+        in the mean of the logarithm: `motion.scaled(motion.factor_to(target))`."""
+        factors = [c.misfit(target, band=band)["factor"] for c in self.channels if not c.up]
+        if not factors:
+            raise Error("the record has no horizontal component, which the target is of")
+        return float(np.exp(np.mean(np.log(factors))))
 
     @classmethod
     def from_components(cls, dt: float, *, east: Any = None, north: Any = None, up: Any = None, name: str = "motion") -> Motion:
@@ -210,6 +249,10 @@ def _whole(traces: list[Any]) -> None:
         raise Error(f"the traces are sampled at {listed}; bring them to one rate (stream.interpolate or resample)")
 
 
+def _target(target: Target | str) -> Target:
+    return target if isinstance(target, Target) else Target(target)
+
+
 def _factor(trace: Any, units: str | None) -> float:
     """What makes m/s² of a trace's samples."""
     if units is not None:
@@ -218,7 +261,10 @@ def _factor(trace: Any, units: str | None) -> float:
         return _UNITS[units]
     done = " ".join(trace.stats.get("processing", []))
     if "integrate(" in done or "differentiate(" in done:
-        raise Error(f'{trace.id} was integrated or differentiated: say in which unit its accelerations are, units="m/s2", or give the record before that')
+        raise Error(
+            f"{trace.id} was integrated or differentiated: say in which unit its accelerations are, "
+            'units="m/s2", or give the record before that'
+        )
     if "remove_response" in done and ("output='ACC'" in done or 'output="ACC"' in done):
         return 1.0
     # ObsPy leaves counts of K-NET and KiK-net as they are, and puts the factor to m/s² beside them.

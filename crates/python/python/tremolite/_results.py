@@ -44,7 +44,8 @@ class Result:
     @property
     def verdict(self) -> str:
         """What came of the run and of each structure, in a few sentences."""
-        return str(self.summary["verdict"])
+        # The summary speaks of the command's option, whoever ran it.
+        return str(self.summary["verdict"]).replace("go on with --resume", "go on with resume=True")
 
     @property
     def findings(self) -> list[Record]:

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Self
 
+from ._by_element import Field
 from ._mesh import Mesh
 from ._motion import Motion
+from ._own import NodalForce, Observer
 from ._results import Result
 
 __version__: str
@@ -71,6 +73,7 @@ class Case:
     def with_(self, changes: Mapping[str, Any]) -> Case: ...
     def to_dict(self) -> dict[str, Any]: ...
     def mesh(self) -> Mesh: ...
+    def _number(self, material: str, key: str) -> float | None: ...
     @staticmethod
     def schema() -> dict[str, Any]: ...
 
@@ -104,8 +107,12 @@ class Job:
         *,
         initial_stress: ArrayLike | None = None,
         loads: Sequence[tuple[ArrayLike, ArrayLike, ArrayLike, ArrayLike]] | None = None,
+        forces: Sequence[NodalForce] | None = None,
         threads: int | None = None,
     ) -> Job: ...
+    def field(self, name: str, *, classes: int = 16) -> Field: ...
+    def _field(self, name: str) -> tuple[Case, Mesh, _Array | None]: ...
+    def _set_field(self, name: str, values: Sequence[float], classes: int) -> None: ...
     def run(
         self,
         out: _Path | None = None,
@@ -117,6 +124,7 @@ class Job:
         set: Mapping[str, Any] | None = None,
         callback: Callable[[Look], bool | None] | None = None,
         every: int | str | None = None,
+        observers: Sequence[Observer] = ...,
         progress: Callable[[dict[str, Any]], None] | None = None,
     ) -> Result: ...
     def start(
@@ -129,6 +137,7 @@ class Job:
         threads: int | None = None,
         callback: Callable[[Look], bool | None] | None = None,
         every: int | str | None = None,
+        observers: Sequence[Observer] = ...,
     ) -> Simulation: ...
 
 @final
@@ -186,6 +195,27 @@ class Look:
     def history(self, groups: str | Sequence[str], name: str) -> _Array: ...
 
 @final
+class Beginning:
+    """Where an observer begins: the folder of the results, the stage or None, the time [s], and what it remembers."""
+
+    out: Path
+    stage: str | None
+    time: float
+    memory: dict[str, _Array]
+
+@final
+class Target:
+    """A response spectrum that motions are to fit."""
+
+    name: str
+    damping: float
+    range: tuple[float, float]
+    def __new__(cls, words: _Path) -> Self: ...
+    @staticmethod
+    def of_table(periods: ArrayLike, sa: ArrayLike, *, damping: float = 0.05, name: str = "target") -> Target: ...
+    def at(self, periods: ArrayLike) -> _Array: ...
+
+@final
 class LawCore:
     interface: bool
     parameters: dict[str, Any]
@@ -204,6 +234,21 @@ def read_record(
     path: _Path, units: str | None = None, dt: float | None = None, sensitivity: str | None = None
 ) -> tuple[Motion, list[str]]: ...
 def process_record(motion: Motion, steps: Sequence[str]) -> Motion: ...
+def match_record(
+    motion: Motion, target: Target, band: tuple[float, float] | None, tolerance: float
+) -> tuple[Motion, float, list[dict[str, float]]]: ...
+def misfit_of(motion: Motion, target: Target, band: tuple[float, float] | None) -> tuple[dict[str, float], float]: ...
+def artificial_record(
+    target: Target,
+    band: tuple[float, float] | None,
+    envelope: tuple[float, float | None, float | None],
+    dt: float,
+    seeds: tuple[int, int],
+    tolerance: float,
+) -> tuple[Motion, float]: ...
+def select_records(
+    motion: Motion, target: Target, band: tuple[float, float] | None, factors: tuple[float, float]
+) -> tuple[list[tuple[int, float, float, float, float]], int]: ...
 def geographic(motion: Motion) -> tuple[float, float, list[_Array]]: ...
 def spectrum(acceleration: _Array, dt: float, periods: Sequence[float], damping: float) -> _Array: ...
 def intensity(acceleration: _Array, dt: float) -> dict[str, float]: ...

@@ -1,14 +1,13 @@
 //! How a run begins.
 
 use super::{Held, Simulation, refused};
-use crate::away::{Desk, away, pool};
+use crate::away::{Asker, away, pool_of};
 use crate::errors::{failed, unusable};
 use crate::made::Made;
 use crate::watch::{Every, Watch};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 use tremolite::job::Caller;
 use tremolite::simulation::Start;
 use tremolite_results::{ResultFolder, replace_file};
@@ -23,20 +22,27 @@ pub struct Wish {
     pub threads: Option<usize>,
     pub callback: Option<Py<PyAny>>,
     pub every: Option<Every>,
+    /// `tremolite.Observer`s.
+    pub observers: Vec<Py<PyAny>>,
 }
 
 impl Simulation {
     /// Prepares the folder and the simulation.
     pub fn begin(py: Python<'_>, made: &Made, wish: Wish) -> PyResult<Self> {
         let job = &made.job;
-        let Wish { out, resume, overwrite, from, threads, callback, every } = wish;
+        let Wish { out, resume, overwrite, from, threads, callback, every, observers } = wish;
         if resume && (overwrite || from.is_some()) {
             return Err(unusable("resume goes on with what is there; leave overwrite and from_ out"));
         }
-        let (desk, stop) = (Arc::new(Desk::default()), Arc::new(AtomicBool::new(false)));
-        let watch =
-            callback.map(|callback| Watch::new(callback, every.as_ref(), job, &desk, &stop)).transpose()?;
-        let pool = pool(threads)?;
+        let asker = Asker::default();
+        let mut watches = Vec::new();
+        if let Some(callback) = callback {
+            watches.push(Watch::callback(callback, every.as_ref(), job, &asker)?);
+        }
+        for observer in &observers {
+            watches.push(Watch::observer(observer.bind(py), &watches, job, &asker)?);
+        }
+        let pool = pool_of(threads, Some(asker.clone()))?;
         let caller = Caller {
             started: now(py)?,
             ..Caller::new(format!("tremolite {} (Python)", env!("CARGO_PKG_VERSION")))
@@ -72,8 +78,12 @@ impl Simulation {
         if !resume {
             replace_file(&folder.log(), format!("{}\n", caller.program).as_bytes()).map_err(failed)?;
         }
-        let own = watch.as_ref().map_or_else(Vec::new, Watch::observers);
-        let back = away(py, &pool, &desk, &stop, || begun.simulation(job, own))?;
+        let own = watches.iter().flat_map(Watch::observers).collect();
+        let Asker { desk, stop } = &asker;
+        let back = away(py, &pool, desk, stop, || begun.simulation(job, own))?;
+        if let Some(raised) = desk.raised() {
+            return Err(raised);
+        }
         let simulation = back.result.map_err(|why| refused(&why))?;
         let held = Held { simulation, begun, caller, stage_seconds: 0.0, ending: None };
         let out = folder.root().to_owned();
@@ -81,9 +91,8 @@ impl Simulation {
             made: Mutex::new(made.clone()),
             out,
             pool,
-            desk,
-            stop,
-            watch,
+            asker,
+            watches,
             follows: from.is_some() || resume,
             held: Mutex::new(Some(held)),
         })

@@ -3,7 +3,6 @@
 use super::{Simulation, refused};
 use crate::away::Back;
 use crate::errors::{RunWarning, failed, stopped};
-use crate::watch::Watch;
 use pyo3::prelude::*;
 use std::ffi::CString;
 use std::path::Path;
@@ -16,12 +15,10 @@ impl Simulation {
         &self,
         py: Python<'py>,
         back: Back<Result<Outcome, RunError>>,
-        raised: Option<PyErr>,
-        watch: Option<&Watch>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let page = py.detach(|| tremolite_report::write(&self.out));
-        if let Some(raised) = watch.and_then(Watch::raised).or(raised) {
-            // Ctrl-C while a callback ran.
+        if let Some(raised) = self.asker.desk.raised() {
+            // Ctrl-C while a script's code ran.
             let in_order = back.result.is_ok_and(|outcome| outcome.ending == Ending::Stopped);
             return Err(if in_order { stopped(py, raised, &self.out) } else { raised });
         }

@@ -97,7 +97,7 @@ impl Simulation {
             let simulation = &held.as_ref().ok_or_else(over)?.simulation;
             (simulation.stage().unwrap_or(simulation.plan().stages.len()), simulation.taken())
         };
-        if self.watch.is_some() || self.follows {
+        if !self.watches.is_empty() || self.follows {
             return Err(unusable(
                 "stages are added to a run of its own without a callback; look between stages instead, and leave callback and from_ out",
             ));

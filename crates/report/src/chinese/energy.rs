@@ -25,6 +25,7 @@ pub const TEXTS: Texts = &[
     ("base springs", "底部弹簧"),
     ("work through the sides", "侧边界做功"),
     ("input", "输入"),
+    ("work of a script's own forces", "脚本自定义力做功"),
     ("initial", "初始"),
     ("error", "误差"),
     (

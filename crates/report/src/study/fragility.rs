@@ -3,55 +3,67 @@
 use tremolite_results::study::{Study, StudyFragility};
 
 use super::Figure;
-use super::paper::{draw, file_part, from_zero, told};
+use super::paper::{draw, file_part, from_zero, measured, told};
 use crate::drawing::plot::{Pen, PlotCurve};
 use crate::drawing::ticks::Ticks;
+use crate::language::{Language, say};
 
 /// One figure a curve that could be fitted, or whose shares are worth a look.
-pub fn figures(study: &Study) -> Vec<Figure> {
+pub fn figures(study: &Study, language: Language) -> Vec<Figure> {
     let shown = study.fragilities.iter().enumerate().filter(|(_, f)| f.fit.is_some() || !f.shares.is_empty());
-    shown.map(|(k, f)| figure(study, k, f)).collect()
+    shown.map(|(k, f)| figure(study, language, k, f)).collect()
 }
 
-fn figure(study: &Study, number: usize, f: &StudyFragility) -> Figure {
-    let title = limit(study, f);
+fn figure(study: &Study, language: Language, number: usize, f: &StudyFragility) -> Figure {
+    let title = limit(study, f, language);
     let shares: Vec<(f64, f64)> =
         f.shares.iter().map(|s| (s.intensity, s.exceeded as f64 / s.of.max(1) as f64)).collect();
     let mut curves = Vec::new();
     if let Some(fit) = &f.fit {
-        let name = format!("maximum likelihood: median {} {}, β {}", told(fit.theta), f.unit, told(fit.beta));
+        let name = say!(
+            language,
+            "maximum likelihood: median {median}, β {beta}",
+            median = measured(fit.theta, &f.unit),
+            beta = told(fit.beta)
+        );
         curves.push(PlotCurve::new(name, 0, Pen::Curve, f.curve.iter().map(|p| (p[0], p[1])).collect()));
     }
     if let Some(bounds) = &f.bounds {
-        for (k, name) in [
-            (0, "bounds of nine tenths of a bootstrap over records"),
-            (1, "bounds of nine tenths of a bootstrap over records"),
-        ] {
+        let name = say!(language, "bounds of nine tenths of a bootstrap over records");
+        for k in [0, 1] {
             let line = f.curve.iter().zip(&bounds.band).map(|(p, band)| (p[0], band[k])).collect();
-            curves.push(PlotCurve::new(name, 0, Pen::Dashed, line));
+            curves.push(PlotCurve::new(name.clone(), 0, Pen::Dashed, line));
         }
     }
-    let dots = if study.rises { "records beyond the limit, cumulated" } else { "share of runs at a level" };
+    let dots = match study.rises {
+        true => say!(language, "records beyond the limit, cumulated"),
+        false => say!(language, "share of runs at a level"),
+    };
     curves.push(PlotCurve::new(dots, 1, Pen::Dots, shares.clone()));
     let highest = f.curve.iter().map(|p| p[0]).chain(shares.iter().map(|p| p.0)).fold(0.0, f64::max);
     let band: Vec<(f64, f64)> = f.bounds.iter().flat_map(|b| band(f, &b.band)).collect();
     let svg = draw(
         &title,
-        (&format!("{} ({})", f.by, f.unit), "probability"),
+        (&over(&f.by, &f.unit), &say!(language, "probability")),
         (from_zero(highest), Ticks::within(0.0, 1.0, 5)),
         &curves,
         &band,
-        "The probability that the limit is exceeded, over intensity.",
+        &say!(language, "The probability that the limit is exceeded, over intensity."),
     );
     let file = format!("fragility-{}-{}.svg", number + 1, file_part(&f.measure));
-    Figure { file, svg, caption: caption(f) }
+    Figure { file, svg, caption: caption(f, language) }
 }
 
 /// The limit in words, with the unit of its measure.
-pub fn limit(study: &Study, f: &StudyFragility) -> String {
+pub fn limit(study: &Study, f: &StudyFragility, language: Language) -> String {
     let unit =
         study.measures.iter().find(|m| m.name == f.measure).and_then(|m| m.unit.clone()).unwrap_or_default();
-    format!("{} above {} {unit}", f.measure, told(f.above)).trim_end().to_owned()
+    say!(language, "{measure} above {limit}", measure = f.measure, limit = measured(f.above, &unit))
+}
+
+/// A measure of intensity with its unit.
+pub fn over(by: &str, unit: &str) -> String {
+    if matches!(unit, "" | "1") { by.to_owned() } else { format!("{by} ({unit})") }
 }
 
 /// The outline of the bounds: along the lower, back along the upper.
@@ -62,32 +74,62 @@ fn band(f: &StudyFragility, band: &[[f64; 2]]) -> Vec<(f64, f64)> {
 }
 
 /// What is counted and what is not.
-pub fn caption(f: &StudyFragility) -> String {
-    let mut text = format!("{} runs counted, {} of them beyond the limit", f.counted, f.exceeded);
-    if f.stopped_counted > 0 {
-        text += &format!(
-            " ({} stopped by the guard in the earthquake and counted as beyond it)",
-            f.stopped_counted
-        );
-    }
-    text += ".";
+pub fn caption(f: &StudyFragility, language: Language) -> String {
+    let mut text = vec![match f.stopped_counted {
+        0 => say!(
+            language,
+            "{all} runs counted, {some} of them beyond the limit.",
+            all = f.counted,
+            some = f.exceeded
+        ),
+        stopped => say!(
+            language,
+            "{all} runs counted, {some} of them beyond the limit ({stopped} stopped by the guard in the earthquake and counted as beyond it).",
+            all = f.counted,
+            some = f.exceeded,
+            stopped = stopped
+        ),
+    }];
     if !f.left_out.is_empty() {
-        let parts: Vec<String> = f.left_out.iter().map(|(why, n)| format!("{n} {why}")).collect();
-        text += &format!(" Left out: {}.", parts.join(", "));
+        let parts: Vec<String> =
+            f.left_out.iter().map(|(why, n)| format!("{n} {}", word(why, language))).collect();
+        text.push(say!(language, "Left out: {parts}.", parts = parts.join(", ")));
     }
     if !f.no_curve.is_empty() {
-        text += &format!(" No curve: {}.", f.no_curve);
+        text.push(say!(language, "No curve: {why}.", why = language.tell_or(&f.no_curve_said, &f.no_curve)));
     }
     match &f.bounds {
-        Some(b) if b.without > 0 => {
-            text += &format!(
-                " {} of {} samples of the bootstrap have no curve and are in no bound.",
-                b.without,
-                b.samples + b.without
-            );
+        Some(b) if b.without > 0 => text.push(say!(
+            language,
+            "{some} of {all} samples of the bootstrap have no curve and are in no bound.",
+            some = b.without,
+            all = b.samples + b.without
+        )),
+        _ if f.fit.is_some() && !f.no_bounds.is_empty() => {
+            text.push(say!(language, "No bounds: {why}.", why = word(&f.no_bounds, language)));
         }
-        _ if f.fit.is_some() && !f.no_bounds.is_empty() => text += &format!(" No bounds: {}.", f.no_bounds),
         _ => {}
     }
-    text
+    language.joined(&text)
+}
+
+/// A word of study.json in the page's language; itself where this version does not know it.
+pub fn word(english: &str, language: Language) -> String {
+    match english {
+        "binomial" => say!(language, "binomial"),
+        "truncated" => say!(language, "truncated"),
+        "without an intensity" => say!(language, "without an intensity"),
+        "without the measure" => say!(language, "without the measure"),
+        "failed" => say!(language, "failed"),
+        "restless" => say!(language, "restless"),
+        "broken" => say!(language, "broken"),
+        "pending" => say!(language, "pending"),
+        "there is one record alone, and nothing to draw from" => {
+            say!(language, "there is one record alone, and nothing to draw from")
+        }
+        "fewer than half of the samples have a curve: there are too few records" => {
+            say!(language, "fewer than half of the samples have a curve: there are too few records")
+        }
+        other => other.to_owned(),
+    }
 }

@@ -6,9 +6,9 @@ use serde::Serialize;
 use tremolite_results::study::{RunStatus, Study, StudyRun};
 
 use super::Figure;
-use super::fragility::{caption, limit};
-use super::paper::told;
-use crate::language::Language;
+use super::fragility::{caption, limit, over, word};
+use super::paper::{measured, told};
+use crate::language::{Language, say};
 use crate::page::templates::{STYLE, environment, markup};
 
 const TEMPLATE: &str = include_str!("../../template/study.html");
@@ -34,85 +34,132 @@ impl Parts {
 struct Page<'a> {
     style: Value,
     study: &'a Study,
-    counts: Vec<(&'static str, usize)>,
-    programs: Vec<String>,
+    language: &'static str,
+    about: String,
+    counts: Vec<String>,
+    mixed: Option<String>,
     fits: Vec<Vec<String>>,
     chapters: Vec<Chapter>,
     over_records: Vec<Vec<String>>,
     head: Vec<String>,
     runs: Vec<Vec<String>>,
-    more: usize,
-    ended: Vec<(String, &'static str, String)>,
+    more: Option<String>,
+    ended: Vec<(String, String, String)>,
 }
 
 #[derive(Serialize)]
 struct Chapter {
-    heading: &'static str,
+    heading: String,
     figures: Vec<(String, Value, String)>,
 }
 
-pub fn html(study: &Study, parts: &Parts) -> Result<String, minijinja::Error> {
-    let chapter = |heading, figures: &[Figure]| Chapter {
+pub fn html(study: &Study, language: Language, parts: &Parts) -> Result<String, minijinja::Error> {
+    let chapter = |heading: String, figures: &[Figure]| Chapter {
         heading,
         figures: figures.iter().map(|f| (f.file.clone(), markup(&f.svg), f.caption.clone())).collect(),
     };
     let chapters = vec![
-        chapter("Fragility", &parts.fragility),
-        chapter("Over intensity", &parts.rising),
-        chapter("What one key changes", &parts.tornado),
-        chapter("What goes together", &parts.scatter),
+        chapter(say!(language, "Fragility"), &parts.fragility),
+        chapter(say!(language, "Over intensity"), &parts.rising),
+        chapter(say!(language, "What one key changes"), &parts.tornado),
+        chapter(say!(language, "What goes together"), &parts.scatter),
     ];
     let count = |status: RunStatus| study.runs.iter().filter(|run| run.status == status).count();
     let counts = [
-        ("at their end", RunStatus::Done),
-        ("stopped by the guard in the earthquake", RunStatus::Failed),
-        ("not at rest before the earthquake", RunStatus::Restless),
-        ("refused or ended from outside", RunStatus::Broken),
-        ("not needed: a lower level was beyond the limit", RunStatus::NotNeeded),
-        ("still to run", RunStatus::Pending),
+        RunStatus::Done,
+        RunStatus::Failed,
+        RunStatus::Restless,
+        RunStatus::Broken,
+        RunStatus::NotNeeded,
+        RunStatus::Pending,
     ];
     let mut programs: Vec<String> =
         study.runs.iter().map(|r| r.program.clone()).filter(|p| !p.is_empty()).collect();
     programs.sort();
     programs.dedup();
+    let mixed = || {
+        say!(
+            language,
+            "The runs are of {some} programs ({names}): set only those of one beside one another.",
+            some = programs.len(),
+            names = programs.join(", ")
+        )
+    };
     let no_result =
         |run: &&StudyRun| matches!(run.status, RunStatus::Failed | RunStatus::Restless | RunStatus::Broken);
+    let more = study.runs.len().saturating_sub(ROWS);
     let page = Page {
         style: markup(STYLE),
         study,
+        language: language.code(),
+        about: say!(
+            language,
+            "A study of {case} by {file}: {runs} runs.",
+            case = study.case,
+            file = study.file,
+            runs = study.runs.len()
+        ),
         counts: counts
             .into_iter()
-            .map(|(words, status)| (words, count(status)))
+            .map(|status| (status, count(status)))
             .filter(|(_, n)| *n > 0)
+            .map(|(status, n)| counted(language, status, n))
             .collect(),
-        programs,
-        fits: study.fragilities.iter().map(|f| fit(study, f)).collect(),
+        mixed: (programs.len() > 1).then(mixed),
+        fits: study.fragilities.iter().map(|f| fit(study, language, f)).collect(),
         chapters: chapters.into_iter().filter(|c| !c.figures.is_empty()).collect(),
-        over_records: over_records(study),
-        head: head(study),
-        runs: study.runs.iter().take(ROWS).map(|run| row(study, run)).collect(),
-        more: study.runs.len().saturating_sub(ROWS),
+        over_records: over_records(study, language),
+        head: head(study, language),
+        runs: study.runs.iter().take(ROWS).map(|run| row(study, language, run)).collect(),
+        more: (more > 0).then(|| say!(language, "{some} more are in study.csv.", some = more)),
         ended: study
             .runs
             .iter()
             .filter(no_result)
-            .map(|run| (run.name.clone(), run.status.word(), run.why.clone()))
+            .map(|run| (run.name.clone(), ended(language, run.status), run.why.clone()))
             .collect(),
     };
-    let mut environment = environment(Language::default())?;
+    let mut environment = environment(language)?;
     environment.add_template("study.html", TEMPLATE)?;
     environment.get_template("study.html")?.render(Serde(&page))
 }
 
-fn fit(study: &Study, f: &tremolite_results::study::StudyFragility) -> Vec<String> {
-    let of = limit(study, f);
-    let interval = |[low, high]: [f64; 2]| format!("{} to {}", told(low), told(high));
+/// How many runs ended so.
+fn counted(language: Language, status: RunStatus, n: usize) -> String {
+    match status {
+        RunStatus::Done => say!(language, "{some} at their end", some = n),
+        RunStatus::Failed => say!(language, "{some} stopped by the guard in the earthquake", some = n),
+        RunStatus::Restless => say!(language, "{some} not at rest before the earthquake", some = n),
+        RunStatus::Broken => say!(language, "{some} refused or ended from outside", some = n),
+        RunStatus::NotNeeded => {
+            say!(language, "{some} not needed: a lower level was beyond the limit", some = n)
+        }
+        RunStatus::Pending => say!(language, "{some} still to run", some = n),
+    }
+}
+
+/// How a run ended, in a word.
+fn ended(language: Language, status: RunStatus) -> String {
+    match status {
+        RunStatus::Done => say!(language, "done"),
+        RunStatus::Failed => say!(language, "failed"),
+        RunStatus::Restless => say!(language, "restless"),
+        RunStatus::Broken => say!(language, "broken"),
+        RunStatus::NotNeeded => say!(language, "not-needed"),
+        RunStatus::Pending => say!(language, "pending"),
+    }
+}
+
+fn fit(study: &Study, language: Language, f: &tremolite_results::study::StudyFragility) -> Vec<String> {
+    let of = limit(study, f, language);
+    let interval =
+        |[low, high]: [f64; 2]| say!(language, "{least} to {most}", least = told(low), most = told(high));
     let dash = || "–".to_owned();
     let [theta, beta, error, correlation] = match &f.fit {
         Some(fit) => {
             let [[a, b], [_, c]] = fit.covariance;
             let error = format!("{}, {}", told(a.sqrt()), told(c.sqrt()));
-            [format!("{} {}", told(fit.theta), f.unit), told(fit.beta), error, told(b / (a * c).sqrt())]
+            [measured(fit.theta, &f.unit), told(fit.beta), error, told(b / (a * c).sqrt())]
         }
         None => [dash(), dash(), dash(), dash()],
     };
@@ -120,13 +167,24 @@ fn fit(study: &Study, f: &tremolite_results::study::StudyFragility) -> Vec<Strin
         Some(b) => [interval(b.theta), interval(b.beta)],
         None => [dash(), dash()],
     };
-    vec![of, f.by.clone(), theta, of_theta, beta, of_beta, error, correlation, f.method.clone(), caption(f)]
+    vec![
+        of,
+        f.by.clone(),
+        theta,
+        of_theta,
+        beta,
+        of_beta,
+        error,
+        correlation,
+        word(&f.method, language),
+        caption(f, language),
+    ]
 }
 
-fn over_records(study: &Study) -> Vec<Vec<String>> {
+fn over_records(study: &Study, language: Language) -> Vec<Vec<String>> {
     let row = |o: &tremolite_results::study::OverRecords| {
         let code = o.by_code.map_or_else(|| "–".to_owned(), told);
-        let records = format!("{} of {}", o.records, o.of);
+        let records = say!(language, "{some} of {all}", some = o.records, all = o.of);
         vec![
             o.title.clone(),
             o.level.clone().unwrap_or_default(),
@@ -140,32 +198,30 @@ fn over_records(study: &Study) -> Vec<Vec<String>> {
     study.over_records.iter().take(ROWS).map(row).collect()
 }
 
-fn head(study: &Study) -> Vec<String> {
+fn head(study: &Study, language: Language) -> Vec<String> {
     let shown = |c: &tremolite_results::study::StudyColumn| {
         let unit = if c.shown.is_empty() { c.unit.clone().unwrap_or_default() } else { c.shown.clone() };
-        if unit.is_empty() { c.name.clone() } else { format!("{} ({unit})", c.name) }
+        over(&c.name, &unit)
     };
-    let mut head = vec!["run".to_owned()];
+    let mut head = vec![say!(language, "run")];
     head.extend(study.parameters.iter().map(|p| p.name.clone()));
     if study.runs.iter().any(|r| r.record.is_some()) {
-        head.push("record".to_owned());
+        head.push(say!(language, "record"));
     }
     if study.runs.iter().any(|r| r.factor.is_some()) {
-        head.push("factor".to_owned());
+        head.push(say!(language, "factor"));
     }
     head.extend(study.intensities.iter().chain(&study.measures).map(shown));
-    head.push("ended".to_owned());
+    head.push(say!(language, "ended"));
     head
 }
 
-fn row(study: &Study, run: &StudyRun) -> Vec<String> {
+fn row(study: &Study, language: Language, run: &StudyRun) -> Vec<String> {
     let number = |x: Option<f64>| x.map_or_else(|| "–".to_owned(), told);
     let mut row = vec![run.name.clone()];
-    row.extend(
-        run.values
-            .iter()
-            .map(|v| v.as_deref().map_or_else(|| "as it is".to_owned(), |v| v.trim_matches('"').to_owned())),
-    );
+    row.extend(run.values.iter().map(|v| {
+        v.as_deref().map_or_else(|| say!(language, "as it is"), |v| v.trim_matches('"').to_owned())
+    }));
     if study.runs.iter().any(|r| r.record.is_some()) {
         row.push(run.record.clone().unwrap_or_default());
     }
@@ -176,6 +232,6 @@ fn row(study: &Study, run: &StudyRun) -> Vec<String> {
         run.intensities.iter().zip(&study.intensities).map(|(x, c)| number(x.map(|x| x / c.shown_factor))),
     );
     row.extend(run.measures.iter().map(|x| number(*x)));
-    row.push(run.status.word().to_owned());
+    row.push(ended(language, run.status));
     row
 }

@@ -79,3 +79,8 @@ pub fn told(x: f64) -> String {
     let size = rounded.abs();
     if size == 0.0 || (1e-3..1e6).contains(&size) { format!("{rounded}") } else { format!("{rounded:e}") }
 }
+
+/// A number with its unit, if it has one.
+pub fn measured(x: f64, unit: &str) -> String {
+    if matches!(unit, "" | "1") { told(x) } else { format!("{} {unit}", told(x)) }
+}

@@ -3,15 +3,17 @@
 use tremolite_results::study::{RunStatus, Study, StudyRun};
 
 use super::Figure;
+use super::fragility::over;
 use super::paper::{draw, file_part, suiting};
 use crate::drawing::plot::{Pen, PlotCurve, range};
 use crate::drawing::ticks::Ticks;
+use crate::language::{Language, say};
 
 /// Lines that are named; of more a legend would hide the figure.
 const NAMED: usize = 8;
 
 /// One figure a measure, where runs have levels.
-pub fn figures(study: &Study) -> Vec<Figure> {
+pub fn figures(study: &Study, language: Language) -> Vec<Figure> {
     let (Some(by), true) = (study.intensities.first(), study.runs.iter().any(|r| r.level.is_some())) else {
         return Vec::new();
     };
@@ -55,20 +57,18 @@ pub fn figures(study: &Study) -> Vec<Figure> {
             return None;
         }
         let stopped = study.runs.iter().filter(|r| r.status == RunStatus::Failed).count();
-        let note = if stopped > 0 {
-            format!(" {stopped} runs that the guard stopped have no result and no point.")
-        } else {
-            String::new()
-        };
+        let note =
+            say!(language, "{some} runs that the guard stopped have no result and no point.", some = stopped);
         let svg = draw(
-            &format!("{name} over intensity"),
-            (&format!("{} ({})", by.name, by.shown), &scale.labelled(name)),
+            &say!(language, "{measure} over intensity", measure = name),
+            (&over(&by.name, &by.shown), &scale.labelled(name)),
             (super::paper::from_zero(right), Ticks::around(low.min(0.0), high, 6)),
             &curves,
             &[],
-            "The result at each level of intensity, a line a record and sample.",
+            &say!(language, "The result at each level of intensity, a line a record and sample."),
         );
-        let caption = format!("{name} at each level, a line a record and sample.{note}");
+        let all = say!(language, "{measure} at each level, a line a record and sample.", measure = name);
+        let caption = if stopped > 0 { language.joined(&[all, note]) } else { all };
         Some(Figure { file: format!("levels-{}.svg", file_part(name)), svg, caption })
     };
     (0..study.measures.len()).filter_map(measure).collect()

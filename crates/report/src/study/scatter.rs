@@ -6,12 +6,13 @@ use super::Figure;
 use super::paper::{draw, file_part, suiting, told};
 use crate::drawing::plot::{Pen, PlotCurve, range};
 use crate::drawing::ticks::Ticks;
+use crate::language::{Language, say};
 
 /// Figures at most, those whose ranks go together most.
 const MOST: usize = 12;
 
 /// One figure a pair of key and measure, the strongest first.
-pub fn figures(study: &Study) -> Vec<Figure> {
+pub fn figures(study: &Study, language: Language) -> Vec<Figure> {
     let mut pairs: Vec<_> = study.influences.iter().collect();
     pairs.sort_by(|a, b| b.rank.abs().total_cmp(&a.rank.abs()));
     let figure = |pair: &&tremolite_results::study::Influence| {
@@ -41,17 +42,18 @@ pub fn figures(study: &Study) -> Vec<Figure> {
         let across = format!("{}{}", pair.parameter, unit(&study.parameters[parameter].unit));
         let up = scale.labelled(&pair.measure);
         let svg = draw(
-            &format!("{} over {}", pair.measure, pair.parameter),
+            &say!(language, "{measure} over {key}", measure = pair.measure, key = pair.parameter),
             (&across, &up),
             (Ticks::around(left, right, 8), Ticks::around(low, high, 6)),
             &curves,
             &[],
-            "One point a run.",
+            &say!(language, "One point a run."),
         );
-        let caption = format!(
-            "Spearman's correlation of ranks {}, over {} runs, within each record and level.",
-            told(pair.rank),
-            pair.runs
+        let caption = say!(
+            language,
+            "Spearman's correlation of ranks {rank}, over {runs} runs, within each record and level.",
+            rank = told(pair.rank),
+            runs = pair.runs
         );
         let file = format!("scatter-{}-{}.svg", file_part(&pair.measure), file_part(&pair.parameter));
         Some(Figure { file, svg, caption })

@@ -90,7 +90,7 @@ fn sample() -> Study {
 fn the_page_says_what_is_counted_and_what_is_not() {
     let out = tempfile::tempdir().unwrap();
     sample().write(&out.path().join("study.json")).unwrap();
-    let page = study(out.path()).unwrap();
+    let page = study(out.path(), None).unwrap();
     let text = fs::read_to_string(&page).unwrap();
     for says in [
         "What &amp; where",
@@ -114,14 +114,14 @@ fn the_page_says_what_is_counted_and_what_is_not() {
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{figure}");
     }
     let again = fs::read(&page).unwrap();
-    study(out.path()).unwrap();
+    study(out.path(), None).unwrap();
     assert_eq!(fs::read(&page).unwrap(), again);
 }
 
 #[test]
 fn a_study_of_which_nothing_ran_has_a_page() {
     let out = tempfile::tempdir().unwrap();
-    assert!(study(out.path()).is_err());
+    assert!(study(out.path(), None).is_err());
     let mut nothing = sample();
     for run in &mut nothing.runs {
         (run.status, run.measures, run.intensities) = (RunStatus::Pending, vec![None], vec![None]);
@@ -130,6 +130,41 @@ fn a_study_of_which_nothing_ran_has_a_page() {
     nothing.tornados.clear();
     nothing.influences.clear();
     nothing.write(&out.path().join("study.json")).unwrap();
-    let text = fs::read_to_string(study(out.path()).unwrap()).unwrap();
+    let text = fs::read_to_string(study(out.path(), None).unwrap()).unwrap();
     assert!(text.contains("4 still to run"), "{text}");
+}
+
+/// No text of the page but names stays English: in none do three words of it stand in a row.
+#[test]
+fn a_page_in_chinese_is_chinese_throughout() {
+    let out = tempfile::tempdir().unwrap();
+    let mut all = sample();
+    all.language = "zh".into();
+    all.write(&out.path().join("study.json")).unwrap();
+    let text = fs::read_to_string(study(out.path(), None).unwrap()).unwrap();
+    assert!(
+        text.contains("<html lang=\"zh-CN\">")
+            && text.contains("易损性曲线")
+            && text.contains("3 次计算至结束"),
+        "{text}"
+    );
+    let names = [all.title.as_str(), "It became <unstable>.", "the data are separated"];
+    let plain = text.split("</style>").nth(1).unwrap();
+    let mut told = String::new();
+    for part in plain.split('<').skip(1) {
+        told += part.split_once('>').map_or("", |(_, text)| text);
+        told.push('\n');
+    }
+    let told = told.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
+    let told = names.iter().fold(told, |told, name| told.replace(name, ""));
+    for line in told.lines() {
+        let words =
+            line.split(|c: char| !(c.is_ascii_alphabetic() || c == ' ')).map(|part| part.split_whitespace());
+        for row in words {
+            let row: Vec<&str> = row.filter(|word| word.len() > 1).collect();
+            assert!(row.len() < 3, "{line}");
+        }
+    }
+    let english = fs::read_to_string(study(out.path(), Some(crate::Language::English)).unwrap()).unwrap();
+    assert!(english.contains("Fragility curves"), "the reader's own wish goes first");
 }

@@ -6,6 +6,7 @@ use super::Figure;
 use super::paper::{file_part, suiting};
 use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::drawing::ticks::Ticks;
+use crate::language::{Language, say};
 
 const WIDTH: f64 = 940.0;
 const ROW: f64 = 30.0;
@@ -14,11 +15,11 @@ const TOP: f64 = 40.0;
 const MOST: usize = 30;
 
 /// One figure a measure.
-pub fn figures(study: &Study) -> Vec<Figure> {
-    study.tornados.iter().map(|tornado| figure(study, tornado)).collect()
+pub fn figures(study: &Study, language: Language) -> Vec<Figure> {
+    study.tornados.iter().map(|tornado| figure(study, language, tornado)).collect()
 }
 
-fn figure(study: &Study, tornado: &Tornado) -> Figure {
+fn figure(study: &Study, language: Language, tornado: &Tornado) -> Figure {
     let bars = &tornado.bars[..tornado.bars.len().min(MOST)];
     let column = study.measures.iter().find(|m| m.name == tornado.measure).cloned().unwrap_or_default();
     let ends = bars.iter().flat_map(|b| [b.low.1, b.high.1]).chain([tornado.base]);
@@ -32,7 +33,7 @@ fn figure(study: &Study, tornado: &Tornado) -> Figure {
     let place = |x: f64| left + axis.fraction(x * scale.factor) * (WIDTH - left - 16.0);
     let bottom = TOP + ROW * bars.len() as f64;
     let mut svg = Svg::new(WIDTH);
-    let title = format!("{}: what each key changes", tornado.measure);
+    let title = say!(language, "{measure}: what each key changes", measure = tornado.measure);
     svg.text((16.0, 18.0), Anchor::Start, 14.0, Style::Bold, &title);
     for (value, label) in &axis.marks {
         let x = left + axis.fraction(*value) * (WIDTH - left - 16.0);
@@ -55,15 +56,18 @@ fn figure(study: &Study, tornado: &Tornado) -> Figure {
         Style::Muted,
         &scale.labelled(&tornado.measure),
     );
-    let svg =
-        svg.finish(bottom + 44.0, &title, "Bars of the results at the values of each key, the widest first.");
+    let said = say!(language, "Bars of the results at the values of each key, the widest first.");
+    let svg = svg.finish(bottom + 44.0, &title, &said);
+    let mut caption = vec![say!(
+        language,
+        "{measure} as the case is: {value}; at the ends of a bar the values of its key.",
+        measure = tornado.measure,
+        value = format!("{} {}", scale.number(tornado.base), scale.unit).trim_end()
+    )];
     let more = tornado.bars.len().saturating_sub(MOST);
-    let more = if more > 0 { format!(" {more} more change it less.") } else { String::new() };
-    let caption = format!(
-        "{} as the case is: {} {}; at the ends of a bar the values of its key.{more}",
-        tornado.measure,
-        scale.number(tornado.base),
-        scale.unit
-    );
+    if more > 0 {
+        caption.push(say!(language, "{some} more change it less.", some = more));
+    }
+    let caption = language.joined(&caption);
     Figure { file: format!("tornado-{}.svg", file_part(&tornado.measure)), svg, caption }
 }

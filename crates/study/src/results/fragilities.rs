@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use tremolite_case::study::{FailedRun, Fragility, StudyFile, rounded};
 use tremolite_results::study::{RunStatus, Share, Study, StudyBounds, StudyFit, StudyFragility, StudyRun};
+use tremolite_results::{Said, said};
 
 use crate::bootstrap;
 use crate::fragility::{Curve, NoCurve, Risen, Seen, of_risen, of_stripes};
@@ -93,10 +94,12 @@ fn one(
         out.shares = cumulated(&risen);
         let at_first = beyond_at_first(&asked, plan, found);
         if at_first > 0 {
-            out.no_curve = format!(
-                "{at_first} of {} series of levels are beyond the limit at their first level, and nobody knows how far below: begin lower",
-                risen.len()
+            out.no_curve_said = said!(
+                "{some} of {all} series of levels are beyond the limit at their first level, and nobody knows how far below: begin lower",
+                some = at_first.to_string(),
+                all = risen.len().to_string()
             );
+            out.no_curve = out.no_curve_said.to_string();
             return out;
         }
         finish(&mut out, &risen, |r| r.cluster, |r| r.intensity, clusters.count, bootstrap, of_risen);
@@ -240,7 +243,8 @@ fn finish<T: Copy>(
     let curve = match fit(data) {
         Ok(curve) => curve,
         Err(why) => {
-            out.no_curve = in_words(why, &out.unit);
+            out.no_curve_said = in_words(why, &out.unit);
+            out.no_curve = out.no_curve_said.to_string();
             return;
         }
     };
@@ -267,24 +271,32 @@ fn finish<T: Copy>(
     });
 }
 
-fn in_words(why: NoCurve, unit: &str) -> String {
-    let told = |x: f64| format!("{} {unit}", rounded(x));
+fn in_words(why: NoCurve, unit: &str) -> Said {
+    let told = |x: f64| format!("{} {unit}", rounded(x)).trim_end().to_owned();
     match why {
-        NoCurve::NoData => "there are no runs to count".to_owned(),
-        NoCurve::Never { highest } => format!("no run is beyond the limit, up to {}: add higher levels", told(highest)),
-        NoCurve::Always { lowest } => format!("every run is beyond the limit, from {} on: add lower levels", told(lowest)),
-        NoCurve::Separated { below, above } if told(below) == told(above) => format!(
-            "the data are separated: no run is beyond the limit below {0}, every one above it, and some are at {0} itself; the median lies \
-             there, and beta cannot be told from 0: add levels around it, or records",
-            told(below)
+        NoCurve::NoData => said!("there are no runs to count"),
+        NoCurve::Never { highest } => {
+            said!("no run is beyond the limit, up to {highest}: add higher levels", highest = told(highest))
+        }
+        NoCurve::Always { lowest } => {
+            said!("every run is beyond the limit, from {lowest} on: add lower levels", lowest = told(lowest))
+        }
+        NoCurve::Separated { below, above } if told(below) == told(above) => said!(
+            "the data are separated: no run is beyond the limit below {level}, every one above it, and some are at {level} itself; the median \
+             lies there, and beta cannot be told from 0: add levels around it, or records",
+            level = told(below)
         ),
-        NoCurve::Separated { below, above } => format!(
-            "the data are separated: no run is beyond the limit up to {}, and every one from {} on; the median lies there, and beta \
+        NoCurve::Separated { below, above } => said!(
+            "the data are separated: no run is beyond the limit up to {below}, and every one from {above} on; the median lies there, and beta \
              cannot be told from 0: add levels between them, or records",
-            told(below),
-            told(above)
+            below = told(below),
+            above = told(above)
         ),
-        NoCurve::Falling => "the limit is not exceeded more often at higher intensities: this measure of intensity does not rule it".to_owned(),
-        NoCurve::TooFew => "fewer than two different intensities at which the limit is exceeded".to_owned(),
+        NoCurve::Falling => {
+            said!(
+                "the limit is not exceeded more often at higher intensities: this measure of intensity does not rule it"
+            )
+        }
+        NoCurve::TooFew => said!("fewer than two different intensities at which the limit is exceeded"),
     }
 }

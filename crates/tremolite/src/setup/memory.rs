@@ -23,9 +23,33 @@ pub struct Inputs {
     pub records: IndexMap<String, Vec<Channel>>,
     /// For `file` of bolts: head and other end \[m\].
     pub bolts: IndexMap<String, Vec<[[f64; 3]; 2]>>,
+    /// Groups of elements beside those of the mesh, by which a case may call them: numbers from 0, ascending.
+    pub groups: IndexMap<String, Vec<u32>>,
 }
 
 impl Inputs {
+    /// Puts its groups into a mesh.
+    ///
+    /// # Errors
+    /// In words: where the mesh has one of that name, or no such element.
+    pub(super) fn add_groups(&self, mesh: &mut Mesh) -> Result<(), String> {
+        let count = mesh.elements.len();
+        for (name, elements) in &self.groups {
+            if mesh.groups.contains_key(name) {
+                return Err(format!(
+                    "the mesh has a group \"{name}\" already, which is given in memory as well"
+                ));
+            }
+            if let Some(e) = elements.iter().find(|&&e| e as usize >= count) {
+                return Err(format!(
+                    "the group \"{name}\" in memory has the element {e}, where the mesh has {count}"
+                ));
+            }
+            mesh.groups.insert(name.clone(), elements.clone());
+        }
+        Ok(())
+    }
+
     pub(super) fn mesh(&self, file: &Path) -> Option<&Mesh> {
         self.meshes.get(&*file.to_string_lossy())
     }

@@ -42,6 +42,13 @@ pub fn build(
     built.warnings.extend(cut);
     let overlays: Vec<String> = ground.planes.iter().flat_map(planes::groups_of).collect();
     built.taken = places::group(mesh, &ground.groups, &overlays, &mut built.mesh, problems);
+    if let Err(why) = held.add_groups(&mut built.mesh) {
+        problems.push(Diagnostic::new(
+            0..0,
+            why,
+            "give the group another name, or the elements of this mesh",
+        ));
+    }
     (problems.len() == before).then_some(built)
 }
 

@@ -13,7 +13,7 @@ use super::changes::{Version, before, versions};
 use super::groups::nothing_fits;
 use super::initial;
 use crate::stages::PlannedStage;
-use faces::faces;
+use faces::Faces;
 use pressures::{Around, loads, sides};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -155,7 +155,7 @@ impl Staged {
             space.gravity = case.initial.gravity.value;
         }
         let stages = if case.seeks_equilibrium() { case.stages.len() + 1 } else { 0 };
-        let walls = faces(&space.mesh);
+        let walls = Faces::of(&space.mesh);
         let mut shown: Vec<u32> = (0..space.mesh.elements.len() as u32).collect();
         space.lives = self.lives;
         for (of, body, life) in self.stand_ins {

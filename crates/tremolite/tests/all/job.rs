@@ -101,6 +101,7 @@ fn held() -> Inputs {
         meshes: [("hall.msh".to_owned(), mesh())].into(),
         records: [("pulse.txt".to_owned(), vec![Channel::new("pulse", 0.01, samples)])].into(),
         bolts: [("bolts.csv".to_owned(), vec![BOLT])].into(),
+        ..Inputs::default()
     }
 }
 

@@ -217,3 +217,87 @@ fn parts_that_the_engine_could_not_take_are_refused_by_name() {
     let uncounted = refused(vec![3], |member| member.counted = false);
     assert!(uncounted.contains("count it"), "{uncounted}");
 }
+
+/// Dashpots of one rate \[N s/m\] from nodes to the ground, by the velocity half a step ago.
+struct Dashpots {
+    nodes: Vec<u32>,
+    rate: f64,
+}
+
+impl Part for Dashpots {
+    fn nodes(&self) -> &[u32] {
+        &self.nodes
+    }
+
+    fn state_sizes(&self) -> StateSizes {
+        StateSizes { numbers: 3 * self.nodes.len(), ..StateSizes::default() }
+    }
+
+    fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
+        let mut work = Lines::default();
+        for ((&node, out), last) in self.nodes.iter().zip(out).zip(own.numbers.chunks_exact_mut(3)) {
+            let du = x.increment(node).xyz();
+            let force = du.map(|du| self.rate * du / tick.dt);
+            (0..3).for_each(|i| work[Line::Own] += 0.5 * (force[i] + last[i]) * du[i]);
+            last.copy_from_slice(&force);
+            *out = Row::new(force);
+        }
+        work
+    }
+
+    fn stiffness_times(&self, _: &[Row], out: &mut [Row], _: &mut Scratch) {
+        out.fill(Row::ZERO);
+    }
+
+    fn viscosity_times(&self, w: &[Row], out: &mut [Row], _: &mut Scratch) -> bool {
+        for (&node, out) in self.nodes.iter().zip(out) {
+            *out = Row(w[node as usize].0.map(|w| self.rate * w));
+        }
+        true
+    }
+}
+
+/// The block without base and sides, with dashpots at its sides.
+fn on_dashpots(rate: f64) -> Problem {
+    let mut problem = on_springs(0.0);
+    problem.parts = vec![Arc::new(move |mesh: &Mesh, engine_node: &[u32]| {
+        let side = |x: &[f64; 3]| x[0] == 0.0 || x[0] == 12.0;
+        let nodes: Vec<u32> =
+            mesh.nodes.iter().zip(engine_node).filter(|(x, _)| side(x)).map(|(_, &n)| n).collect();
+        Member { line: Some(Line::Own), ..Member::new("dashpots", Box::new(Dashpots { nodes, rate })) }
+    })];
+    problem
+}
+
+/// Weak ones change the step little; strong ones make it 2 m/c, which is what a single mass allows at v⁻. Just within, motion dies out; beyond
+/// by a tenth it grows.
+#[test]
+fn the_step_goes_by_the_dashpots_of_an_own_part() {
+    let bound = |rate: f64| {
+        let Ready { model, assembly, phase } = Ready::new(on_dashpots(rate));
+        let stable = tremolite::stable_step(&model, &assembly, &phase);
+        let least = assembly.members.iter().flat_map(|m| m.part.nodes()).map(|&n| phase.mass[n as usize]);
+        (stable, least.fold(f64::INFINITY, f64::min))
+    };
+    let (free, mass) = bound(0.0);
+    let (weak, _) = bound(1e-3 * mass / free.dt);
+    assert!(weak.dt < free.dt && weak.dt > 0.998 * free.dt, "{} of {}", weak.dt, free.dt);
+    let rate = 1e3 * mass / free.dt;
+    let (strong, _) = bound(rate);
+    let single = 2.0 * mass / rate;
+    // What elements hold adds λ_K Δt/2 to the rate, 2·10⁻³ of it here.
+    assert!((strong.dt / single - 1.0).abs() < 3e-3, "{} of {single}", strong.dt);
+    assert!(matches!(strong.limit, Limit::Part { .. }), "{:?}", strong.limit);
+    for (share, grows) in [(0.98, false), (1.1, true)] {
+        let ready = Ready::new(on_dashpots(rate));
+        let mut state = ready.rest(share);
+        let mut engine = ready.engine();
+        let nodes = state.u.len();
+        let moves: Vec<Row> = (0..nodes).map(|n| Row::new([1e-3 * (n as f64).sin(), 0.0, 0.0])).collect();
+        engine.start(&mut state, vec![Row::ZERO; nodes], &moves);
+        let before = engine.look(&state).snapshot.balance[Line::Kinetic];
+        (0..400).for_each(|_| engine.step(&mut state));
+        let after = engine.look(&state).snapshot.balance[Line::Kinetic];
+        assert_eq!(after.is_nan() || after >= before, grows, "{share}: {before:e} to {after:e} J");
+    }
+}

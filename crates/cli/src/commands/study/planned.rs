@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use tremolite::setup::{hash, motion_of};
 use tremolite_case::study::StudyFile;
-use tremolite_case::{Case, Diagnostic, Laws, Report};
+use tremolite_case::{Case, Diagnostic, Language, Laws, Report};
+use tremolite_motion::TargetSpectrum;
 use tremolite_study::plan::Plan;
 use tremolite_study::prepare;
 use tremolite_study::results::Prepared;
@@ -23,18 +24,20 @@ pub struct Planned {
     pub before: Option<usize>,
 }
 
-/// All runs of a plan.
+/// All runs of a plan, and the language in which the case's pages are.
 ///
 /// # Errors
 /// Everything that one of their cases is refused for, at its place in the study.
-pub fn of(study: &StudyFile, plan: &Plan) -> Result<Vec<Planned>, Failure> {
+pub fn of(study: &StudyFile, plan: &Plan) -> Result<(Vec<Planned>, Language), Failure> {
     let materials = infos();
     let laws = Laws::from(&materials);
     let base = prepare::base(study, laws).map_err(|report| Failure::case(&report))?;
+    let target = prepare::target(study).map_err(|report| Failure::case(&report))?;
     let mut maker = Maker {
         study,
         plan,
         laws,
+        target,
         problems: Vec::new(),
         motions: BTreeMap::new(),
         befores: BTreeMap::new(),
@@ -57,7 +60,7 @@ pub fn of(study: &StudyFile, plan: &Plan) -> Result<Vec<Planned>, Failure> {
         planned.extend(maker.run(of_chain, of_sample, run, highest));
     }
     if maker.problems.is_empty() {
-        return Ok(planned);
+        return Ok((planned, base.page.language));
     }
     let mut told = BTreeSet::new();
     maker.problems.retain(|p| told.insert((p.span.start, p.message.clone())));
@@ -74,6 +77,8 @@ struct Maker<'a> {
     study: &'a StudyFile,
     plan: &'a Plan,
     laws: Laws<'a>,
+    /// The spectrum that the study names.
+    target: Option<TargetSpectrum>,
     problems: Vec<Diagnostic>,
     /// Measures of intensity by what the motion is made of.
     motions: BTreeMap<String, Vec<Option<f64>>>,
@@ -116,12 +121,23 @@ impl Maker<'_> {
                 return None;
             }
         };
+        let of_case = || case.motion.as_ref()?.target.as_ref().map(prepare::target_of_case);
+        let target = match self.target.clone().map(Ok).or_else(of_case).transpose() {
+            Ok(target) => target,
+            Err(e) => {
+                let (message, remedy) = e.message_and_remedy();
+                let message = format!("[motion.target] of the case: {message}");
+                self.problems.push(Diagnostic::new(self.place(record), message, remedy));
+                return None;
+            }
+        };
         let mut found = Vec::new();
         for measure in &self.plan.intensities {
-            match measure.of(&motion) {
+            match measure.of(&motion, target.as_ref()) {
                 Ok(x) => found.push(Some(x)),
                 Err(e) => {
                     let (message, remedy) = e.message_and_remedy();
+                    let message = format!("{measure}: {message}");
                     self.problems.push(Diagnostic::new(self.place(record), message, remedy));
                     return None;
                 }

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
-use tremolite_results::{HAND_OVER, replace_file};
+use tremolite_results::{ResultFolder, replace_file};
 use tremolite_study::outcome::RunFolder;
 
 /// How often a process is asked whether it still runs.
@@ -50,10 +50,9 @@ impl Held {
         Ok(Some(held))
     }
 
-    /// Whether there is a checkpoint to go on from.
+    /// Whether there is a checkpoint to go on from, or what the earthquake begins with.
     fn goes_on(&self) -> bool {
-        let entries = fs::read_dir(self.folder.results().join("checkpoint"));
-        entries.is_ok_and(|mut entries| entries.any(|e| e.is_ok_and(|e| e.file_name() != HAND_OVER)))
+        ResultFolder::goes_on(&self.folder.results())
     }
 
     /// Runs it or goes on with it, from what another has come to before its earthquake where that is given.
@@ -63,6 +62,8 @@ impl Held {
         // What cannot be resumed, of another version, or shared, is refused before any computing.
         let ways = [goes_on, from, Some(vec!["--overwrite".into()])];
         let ways: Vec<Vec<std::ffi::OsString>> = ways.into_iter().flatten().collect();
+        let no_checkpoint = || !self.folder.results().join("checkpoint/state.bin").exists();
+        let from_own_stages = self.goes_on() && no_checkpoint();
         for (k, way) in ways.iter().enumerate() {
             let log = fs::OpenOptions::new().create(true).append(true).open(self.folder.log());
             let log = log.map_err(|e| Failure::failed(format!("{}: {e}", self.folder.log().display())))?;
@@ -70,7 +71,12 @@ impl Held {
             let status = wait(self.start(way, log, threads)?, stop)?;
             match status.code() {
                 Some(3) => return Ok(End::Stopped),
-                Some(2) if k + 1 < ways.len() => {
+                // Where its stages are of another version nothing was computed that would be lost.
+                Some(code)
+                    if k + 1 < ways.len()
+                        && (code == 2
+                            || k == 0 && from_own_stages && no_checkpoint() && !self.has_summary()) =>
+                {
                     // A checkpoint that is refused, of another version, is kept beside what begins anew.
                     if k == 0 && self.goes_on() {
                         let results = self.folder.results();

@@ -1,6 +1,8 @@
 //! Which run begins when: what is done by what lies in the folders alone, so that a study may be killed at any moment and several
 //! processes may work at it.
 
+mod keep;
+
 use super::lacks;
 use super::planned::Planned;
 use super::process::{End, Held};
@@ -13,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
-use tremolite_case::study::{Keep, StudyFile};
+use tremolite_case::study::StudyFile;
 use tremolite_results::HAND_OVER;
 use tremolite_results::study::{RunStatus, StudyRun};
 use tremolite_study::measure::Results;
@@ -26,9 +28,6 @@ const PAUSE: Duration = Duration::from_millis(200);
 
 /// Tables are written again when this many times as long has passed as that took.
 const SPARING: u32 = 20;
-
-/// Folders of results that hold fields and figures alone.
-const FIELDS: [&str; 4] = ["fields", "interfaces", "stages", "bolts"];
 
 /// The runs that are left to do.
 pub struct Queue<'a> {
@@ -131,7 +130,7 @@ impl<'a> Queue<'a> {
         });
         match self.inside().fault.take() {
             Some(fault) => Err(fault),
-            None => Ok(self.stop.load(Ordering::Relaxed)),
+            None => self.tidy_all().map(|()| self.stop.load(Ordering::Relaxed)),
         }
     }
 
@@ -256,7 +255,7 @@ impl<'a> Queue<'a> {
             let outcome = self.outcome(lower);
             let results = self.folder(lower).results();
             let results = if outcome.status == RunStatus::Done { Results::of(&results) } else { None };
-            let measure = |m| results.as_ref()?.number(m).ok();
+            let measure = |m| results.as_ref()?.number(m).ok().flatten();
             let measures = self.study.measures.iter().map(measure).collect();
             outcome.has_ended()
                 && ends_chain(
@@ -293,6 +292,9 @@ impl<'a> Queue<'a> {
         {
             inside.fault.get_or_insert(fault);
         }
+        if let Err(fault) = self.drop_hand_overs(self.planned[run].before) {
+            inside.fault.get_or_insert(fault);
+        }
         if inside.tables.0.elapsed() > SPARING * inside.tables.1 {
             let began = Instant::now();
             if let Err(fault) = tables::write(self.study, self.plan, self.planned, self.out) {
@@ -302,7 +304,7 @@ impl<'a> Queue<'a> {
         }
     }
 
-    /// Looks whether a run that is done has all that the study asks for, and removes what it does not keep.
+    /// Looks whether a run that is done has all that the study asks for, and removes what the study does not keep.
     fn done(&self, run: usize) -> Result<(), Failure> {
         let folder = self.folder(run);
         let root = folder.results();
@@ -314,37 +316,6 @@ impl<'a> Queue<'a> {
                 }
             }
         }
-        if self.study.run.keep == Keep::Tables {
-            for fields in FIELDS {
-                remove(&root.join(fields), |path| fs::remove_dir_all(path))?;
-                remove(&root.join(format!("{fields}.pvd")), |path| fs::remove_file(path))?;
-            }
-        }
-        self.drop_hand_overs(run)
-    }
-
-    /// Removes the hand-overs of a group of which no run is left, where they are not kept.
-    fn drop_hand_overs(&self, run: usize) -> Result<(), Failure> {
-        let Some(group) = self.planned[run].before.filter(|_| self.study.run.keep == Keep::Tables) else {
-            return Ok(());
-        };
-        let of_group = || (0..self.planned.len()).filter(|other| self.planned[*other].before == Some(group));
-        if !of_group().all(|other| self.outcome(other).has_ended()) {
-            return Ok(());
-        }
-        of_group().try_for_each(|other| {
-            remove(&self.folder(other).results().join("checkpoint").join(HAND_OVER), |path| {
-                fs::remove_file(path)
-            })
-        })
-    }
-}
-
-fn remove(path: &Path, how: impl Fn(&Path) -> std::io::Result<()>) -> Result<(), Failure> {
-    match how(path) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
-            Err(Failure::failed(format!("{}: {e}", path.display())))
-        }
-        _ => Ok(()),
+        self.tidy(run)
     }
 }

@@ -1,13 +1,13 @@
 //! What stands when, and what stands in the place of what is installed later.
 
-use super::faces::{Faces, faces};
+use super::faces::Faces;
 use super::{Staged, before, fitting};
 use std::collections::{BTreeMap, HashSet};
 use tremolite_case::{Case, Diagnostic, Fill};
 use tremolite_engine::{Body, Life, Stage};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::reach::nearest_through_faces;
-use tremolite_mesh::topology::{all_faces, face_key};
+use tremolite_mesh::topology::all_faces;
 
 impl Staged {
     /// The stage that installs each element, with the place of the pattern.
@@ -255,7 +255,7 @@ struct Beside {
 impl Beside {
     fn of(mesh: &Mesh, body_of: &[Option<usize>], installed: &[Option<usize>]) -> Beside {
         let own = body_of.iter().zip(installed).map(|(body, k)| body.filter(|_| k.is_none())).collect();
-        Beside { faces: faces(mesh), body_of: own }
+        Beside { faces: Faces::of(mesh), body_of: own }
     }
 
     /// The body that shares most faces with an element, or with the elements nearest to it that have such a neighbour.
@@ -266,7 +266,7 @@ impl Beside {
             let mut shared: BTreeMap<usize, usize> = BTreeMap::new();
             let mut next = Vec::new();
             for face in all_faces(mesh, Some(&ring)) {
-                for &other in &self.faces[&face_key(mesh, face)] {
+                for other in self.faces.elements(mesh, face) {
                     if let Some(body) = self.body_of[other as usize] {
                         *shared.entry(body).or_default() += 1;
                     } else if seen.insert(other) {

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, HashSet};
 use tremolite_case::{Case, Diagnostic, Spanned, pattern};
 use tremolite_engine::outer_faces::OuterFaces;
 use tremolite_engine::{Life, Side, Stage};
-use tremolite_mesh::topology::{exterior_faces, face_key};
+use tremolite_mesh::topology::exterior_faces;
 use tremolite_mesh::{Face, Mesh};
 
 /// What stands in a stage.
@@ -66,10 +66,9 @@ pub(super) fn loads(
             .for_each(|&e| inside[e as usize] = true);
         let is_pressed = |face: &Face| {
             let own = shown[face.element as usize];
-            let key = face_key(mesh, *face);
-            let beside = || walls.get(&key).into_iter().flatten().filter(|&&e| e != own);
+            let mut beside = walls.elements(mesh, *face).filter(|&e| e != own);
             let gone = |e: u32| places[e as usize].born <= Stage::Before(stage as u16);
-            (own == face.element && inside[own as usize]) || beside().any(|&e| inside[e as usize] && gone(e))
+            (own == face.element && inside[own as usize]) || beside.any(|e| inside[e as usize] && gone(e))
         };
         let faces: Vec<Face> = walls_here.iter().copied().filter(is_pressed).collect();
         if let (true, Some(written)) = (faces.is_empty() && p != 0.0, now) {
