@@ -1,12 +1,14 @@
 //! Laws behind a wall: what the model needs of a material without knowing its type.
 
 use crate::part::Part;
-use crate::solid::{Full, Layered, OnePoint, Solid};
+use crate::solid::{Full, FullBricks, Layered, OnePoint, Solid};
 use std::sync::Arc;
 use tremolite_laws::band::Band;
 use tremolite_laws::materials::Elastic;
 use tremolite_laws::parameter::Derived;
-use tremolite_laws::shapes::hex8::{BrickGeometry, Hex8, OnePointGeometry, Quadrature};
+use tremolite_laws::shapes::hex8::{
+    BrickField, BrickGeometry, Hex8, LayeredGeometry, OnePointGeometry, Quadrature,
+};
 use tremolite_laws::{BadParameter, Isa, LawInfo, Material, Moduli, Values};
 
 /// A law with its parameters, ready to make patches of elements.
@@ -36,8 +38,12 @@ pub trait AnyMaterial: Send + Sync {
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
     fn warnings(&self) -> Vec<String>;
+    /// Whether bricks of several points have kernels of their own ([`AnyMaterial::patch`]). Laws see strains along the edges there, so
+    /// the history must know of no axes: that of a law that damages, or none.
+    fn has_bricks(&self) -> bool;
     /// A patch of hexahedra of this material. One-point elements of which all are bricks with natural axes along x, y and z
-    /// ([`Hex8::upright`]) get kernels for those. `corners` index `nodes`, which are the patch's (of layered elements numbered so that
+    /// ([`Hex8::upright`]) get kernels for those, and so do bricks of several points, wherever their edges point, of a law that damages or
+    /// has no history ([`Hex8::is_brick`]). `corners` index `nodes`, which are the patch's (of layered elements numbered so that
     /// ζ is their thickness, [`tremolite_laws::shapes::hex8::turned`], as their geometry is), and `viscosity` is that of each
     /// element over its stiffness \[s\], or empty. `sizes` are the size tensors \[m²\] that the law is to see, or empty for the
     /// elements' own.
@@ -125,6 +131,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
         self.law.warnings()
     }
 
+    fn has_bricks(&self) -> bool {
+        M::DAMAGES || M::HISTORY.is_empty()
+    }
+
     fn patch(
         &self,
         quadrature: Quadrature,
@@ -141,13 +151,17 @@ impl<M: Material> AnyMaterial for Instance<M> {
                 Box::new(Solid::new($rule, law, own, band, nodes, corners, geometry, viscosity, sizes, isa))
             };
         }
+        // Said outright, so that kernels that no patch can have are not compiled.
+        let bricks = (M::DAMAGES || M::HISTORY.is_empty()) && geometry.iter().all(Hex8::is_brick);
         match quadrature {
             Quadrature::OnePoint if geometry.iter().all(|hex| hex.upright() == Some(STRAIGHT)) => {
                 solid!(OnePoint::<BrickGeometry>::default())
             }
             Quadrature::OnePoint => solid!(OnePoint::<OnePointGeometry>::default()),
+            Quadrature::Full if bricks => solid!(FullBricks),
             Quadrature::Full => solid!(Full),
-            Quadrature::Layered(layers) => solid!(Layered::new(layers)),
+            Quadrature::Layered(layers) if bricks => solid!(Layered::<BrickField>::new(layers)),
+            Quadrature::Layered(layers) => solid!(Layered::<LayeredGeometry>::new(layers)),
         }
     }
 }

@@ -7,7 +7,7 @@ mod prescribed;
 mod rule;
 mod weakened;
 
-pub use rule::{Full, Layered, OnePoint, Rule};
+pub use rule::{Full, FullBricks, Layered, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
 use crate::part::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
@@ -140,7 +140,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             history,
             band,
             overstress,
-            given: Given { strain, size: &self.sizes },
+            given: Given { strain, size: &self.sizes, moved: &[] },
             rows,
             out,
             probe,
@@ -160,7 +160,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
     ) -> Lines {
         let Scratch { rows, others, out: second, left, .. } = scratch;
         let viscous = !self.viscosity.is_empty() && tick.dt > 0.0;
-        let band = self.band.map(|b| b.step(tick.dt, self.law.moduli()));
+        let band = self.band.map(|b| b.step(tick.dt, self.law.moduli(), tick.step));
         let law = self.weakened();
         let rows = self.since(x.u, own.reference, rows);
         let Own { history, overstress, initial, .. } = own;
@@ -171,11 +171,14 @@ impl<M: Material, R: Rule> Solid<M, R> {
             late => (false, late),
         };
         pass.point = Point { brings, since: late as f64 * tick.dt, ..pass.point };
+        if viscous || (M::DAMAGES && self.band.is_some()) {
+            others.clear();
+            others.extend(self.nodes.iter().map(|&n| x.increment(n)));
+            pass.given.moved = &others[..];
+        }
         if viscous {
             second.clear();
             second.resize(self.nodes.len(), Row::ZERO);
-            others.clear();
-            others.extend(self.nodes.iter().map(|&n| x.increment(n)));
             let rows = &others[..];
             pass.after =
                 Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
@@ -312,8 +315,9 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         for (k, point) in stress.iter().enumerate() {
             let (element, point_of_it) = (k / points, k % points);
             let first = 6 * (element / 8 * points + point_of_it);
-            for (octet, value) in history[first..].iter_mut().zip(point) {
-                octet.0[element % 8] = *value;
+            let own = R::local(&self.geometry[element / 8], element % 8, point);
+            for (octet, value) in history[first..].iter_mut().zip(own) {
+                octet.0[element % 8] = value;
             }
         }
         let law = Prescribed(self.elastic.moduli());

@@ -10,7 +10,7 @@ use tremolite_engine::state::{State, StateColumn};
 use tremolite_laws::{Octet, Row};
 use tremolite_results::HAND_OVER;
 
-const MAGIC: &[u8] = b"tremolite checkpoint 3\n";
+const MAGIC: &[u8] = b"tremolite checkpoint 4\n";
 const FILE: &str = "state.bin";
 
 /// Why a checkpoint could not be written or read.

@@ -11,7 +11,7 @@ use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{
-    BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies,
+    BrickField, BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies,
 };
 use tremolite_results::{Said, said};
 
@@ -119,6 +119,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
             let octet = match model.bodies[patch.body].quadrature {
                 Quadrature::OnePoint if patch.bricks => size_of::<BrickGeometry>(),
                 Quadrature::OnePoint => size_of::<OnePointGeometry>(),
+                Quadrature::Full | Quadrature::Layered(_) if patch.bricks => size_of::<BrickField>(),
                 Quadrature::Full => size_of::<FullGeometry>(),
                 Quadrature::Layered(_) => size_of::<LayeredGeometry>(),
             };

@@ -23,8 +23,9 @@ pub struct Patch {
     /// Whether its elements take over from others. Each then has nodes of its own among the part's, since displacements count
     /// from other values in each.
     pub takes_over: bool,
-    /// Whether they are one-point elements of the simplest shape, bricks with edges along the axes
-    /// ([`Hex8::upright`](tremolite_laws::shapes::hex8::Hex8::upright)), which have kernels of their own.
+    /// Whether they are elements of the simplest shape, which have kernels of their own: of one point bricks with edges along the axes
+    /// ([`Hex8::upright`](tremolite_laws::shapes::hex8::Hex8::upright)), of several any bricks
+    /// ([`Hex8::is_brick`](tremolite_laws::shapes::hex8::Hex8::is_brick)).
     pub bricks: bool,
     /// The level of their steps in the shaking, the finest of their nodes'.
     pub level: u8,
@@ -55,8 +56,10 @@ pub(super) fn cut(
         let mut lots: BTreeMap<(Life, bool, bool, bool, u8), Vec<u32>> = BTreeMap::new();
         for &e in &body.elements {
             let viscous = elements.viscosity[e as usize] > 0.0;
-            let brick = body.quadrature == Quadrature::OnePoint
-                && hex(mesh, e as usize).is_ok_and(|hex| hex.upright().is_some());
+            let brick = hex(mesh, e as usize).is_ok_and(|hex| match body.quadrature {
+                Quadrature::OnePoint => hex.upright().is_some(),
+                Quadrature::Full | Quadrature::Layered(_) => body.material.has_bricks() && hex.is_brick(),
+            });
             let (life, takes_over) = (elements.lives[e as usize], elements.successors.contains_key(&e));
             let lot = (life, takes_over, viscous, brick, levels.of_element(e));
             lots.entry(lot).or_default().push(e);

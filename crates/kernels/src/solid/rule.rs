@@ -4,8 +4,8 @@ use super::weakened::Weakened;
 use std::marker::PhantomData;
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{
-    FullGeometry, Given, Hex8, LEFT, LayeredGeometry, Layers, MODAL_MEMORY, OnePointShape, Probe,
-    Stabilisation, Through, full, layered, layered_left, one_point,
+    BrickField, FieldShape, FullGeometry, FullShape, Given, Hex8, LEFT, LayeredShape, Layers, MODAL_MEMORY,
+    OnePointShape, Probe, Stabilisation, Through, bricks_left, full, layered, layered_left, one_point,
 };
 use tremolite_laws::{Lane, Material, Octet, Point, Row};
 
@@ -22,6 +22,11 @@ pub trait Rule: Send + Sync + 'static {
         self.points() * MEMORY
     }
     fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation);
+
+    /// A stress of the element in a lane in the axes in which the law sees strains, from one in global axes.
+    fn local(_: &Self::Geometry, _lane: usize, stress: &[f64; 6]) -> [f64; 6] {
+        *stress
+    }
 
     /// Forces of one octet.
     ///
@@ -94,15 +99,19 @@ impl<G> Default for OnePoint<G> {
     }
 }
 
-/// 2×2×2 points.
+/// 2×2×2 points, in elements of any shape.
 pub struct Full;
 
-/// 2×2 points in each of several layers. Their number is no parameter of the type: one instance of a kernel serves all.
-pub struct Layered(&'static Through);
+/// 2×2×2 points, in bricks.
+pub struct FullBricks;
 
-impl Layered {
+/// 2×2 points in each of several layers, in elements of any shape or in bricks. The number of layers is no parameter of the type: one
+/// instance of a kernel serves all.
+pub struct Layered<G>(&'static Through, PhantomData<G>);
+
+impl<G> Layered<G> {
     pub fn new(layers: Layers) -> Self {
-        Layered(Through::of(layers))
+        Layered(Through::of(layers), PhantomData)
     }
 }
 
@@ -170,7 +179,7 @@ impl Rule for Full {
     ) {
         // SAFETY: passed on to the caller.
         unsafe {
-            full::<L, M, PROBE>(
+            full::<L, _, M, PROBE>(
                 law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out,
                 probe,
             )
@@ -178,10 +187,67 @@ impl Rule for Full {
     }
 }
 
-impl Rule for Layered {
-    type Geometry = LayeredGeometry;
+impl Rule for FullBricks {
+    type Geometry = BrickField;
+    const EMPTY: Self::Geometry = <BrickField as FullShape>::EMPTY;
     const CLOSED: bool = true;
-    const EMPTY: Self::Geometry = LayeredGeometry::EMPTY;
+    fn points(&self) -> usize {
+        8
+    }
+    fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        FullShape::set(geometry, lane, hex, elastic);
+    }
+    fn local(geometry: &Self::Geometry, lane: usize, stress: &[f64; 6]) -> [f64; 6] {
+        geometry.local(stress, lane)
+    }
+    #[inline(always)]
+    unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
+        &self,
+        law: &M,
+        elastic: &Stabilisation,
+        point: &Point<f64>,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        history: &mut [Octet],
+        band: Option<&BandStep>,
+        overstress: &mut [Octet],
+        given: Given,
+        left: &mut [Octet],
+        rows: &[Row],
+        out: &mut [Row],
+        probe: &mut Probe,
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe {
+            full::<L, _, M, PROBE>(
+                law, elastic, point, geometry, index, history, band, overstress, given, left, rows, out,
+                probe,
+            )
+        }
+    }
+
+    /// What whole points carry is integrated in closed form.
+    #[inline(always)]
+    unsafe fn weakened<L: Lane>(
+        &self,
+        law: &Weakened,
+        _: &Stabilisation,
+        geometry: &Self::Geometry,
+        index: &[[u16; 8]; 8],
+        left: &mut [Octet],
+        factor: &Octet,
+        rows: &[Row],
+        out: &mut [Row],
+    ) {
+        // SAFETY: passed on to the caller.
+        unsafe { bricks_left::<L>(&law.0, geometry, index, left, factor, rows, out) }
+    }
+}
+
+impl<G: LayeredShape> Rule for Layered<G> {
+    type Geometry = G;
+    const CLOSED: bool = true;
+    const EMPTY: Self::Geometry = G::EMPTY;
     fn points(&self) -> usize {
         4 * self.0.count
     }
@@ -190,6 +256,9 @@ impl Rule for Layered {
     }
     fn set(&self, geometry: &mut Self::Geometry, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
         geometry.set(lane, hex, elastic, self.0);
+    }
+    fn local(geometry: &Self::Geometry, lane: usize, stress: &[f64; 6]) -> [f64; 6] {
+        geometry.field().local(stress, lane)
     }
     #[inline(always)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
@@ -210,7 +279,7 @@ impl Rule for Layered {
     ) {
         // SAFETY: passed on to the caller.
         unsafe {
-            layered::<L, M, PROBE>(
+            layered::<L, _, M, PROBE>(
                 self.0, law, point, geometry, index, history, band, overstress, given, left, rows, out, probe,
             )
         }
@@ -230,6 +299,6 @@ impl Rule for Layered {
         out: &mut [Row],
     ) {
         // SAFETY: passed on to the caller.
-        unsafe { layered_left::<L>(self.0, &law.0, geometry, index, left, factor, rows, out) }
+        unsafe { layered_left::<L, _>(self.0, &law.0, geometry, index, left, factor, rows, out) }
     }
 }

@@ -2,3 +2,4 @@
 
 mod follow;
 mod line;
+mod stress_forces;

@@ -55,7 +55,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             let mut geometry = FullGeometry::EMPTY;
             geometry.set(0, &hex, &stabilisation);
             unsafe {
-                full::<f64, _, true>(
+                full::<f64, _, _, true>(
                     &law,
                     &stabilisation,
                     &point,
@@ -77,7 +77,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             let mut geometry = LayeredGeometry::EMPTY;
             geometry.set(0, &hex, &stabilisation, through);
             unsafe {
-                layered::<f64, _, true>(
+                layered::<f64, _, _, true>(
                     through,
                     &law,
                     &point,
@@ -544,7 +544,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
                     out,
                     probe,
                 ),
-                Kind::Full => full::<L, _, true>(
+                Kind::Full => full::<L, _, _, true>(
                     &law,
                     &s,
                     &point,
@@ -559,7 +559,7 @@ fn lanes_equal_the_scalar_reference_bit_for_bit() {
                     out,
                     probe,
                 ),
-                Kind::Layered(layers) => layered::<L, _, true>(
+                Kind::Layered(layers) => layered::<L, _, _, true>(
                     Through::of(layers),
                     &law,
                     &point,

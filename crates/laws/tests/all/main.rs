@@ -1,6 +1,7 @@
 //! The tests of this crate, one binary.
 
 mod brick;
+mod brick_field;
 mod common;
 mod concrete_energy;
 mod concrete_parameters;

@@ -71,16 +71,7 @@ impl OnePointShape for BrickGeometry {
         if given.size.len() >= 6 {
             return super::load_tensor(given.size, at);
         }
-        let zero = L::splat(0.0);
-        let mut size = [zero; 6];
-        let mut k = 0;
-        while k < 3 {
-            let r = L::load(&self.inverse[k], at);
-            let square = L::splat(1.0 / 16.0) / (r * r);
-            size[k] = L::select(zero.less(r), square, zero);
-            k += 1;
-        }
-        size
+        size_of(&self.lengths::<L>(at))
     }
 
     #[inline(always)]
@@ -166,4 +157,18 @@ fn bend<L: Lane, const B: usize, const C: usize>(
     let shear = bend * (L::splat(0.5) * less) * gamma;
     f[B][B] = r[C].mul_add(shear, f[B][B]);
     f[C][C] = r[B].mul_add(shear, f[C][C]);
+}
+
+/// The size tensor of a brick, 4 ℓ_k² on the diagonal; zero of one without extent.
+#[inline(always)]
+pub(super) fn size_of<L: Lane>(r: &[L; 3]) -> Sym<L> {
+    let zero = L::splat(0.0);
+    let mut size = [zero; 6];
+    let mut k = 0;
+    while k < 3 {
+        let square = L::splat(1.0 / 16.0) / (r[k] * r[k]);
+        size[k] = L::select(zero.less(r[k]), square, zero);
+        k += 1;
+    }
+    size
 }

@@ -2,14 +2,14 @@
 //! coefficients, and back from their resultants to modal forces.
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
-use super::{Hex8, Stabilisation, Surface};
+use super::{Given, Hex8, Stabilisation, Surface, to_modes, to_nodes};
 use crate::lane::{Lane, Octet};
 use crate::material::Sym;
 
 /// What the points of eight elements share; 126 octets, that is 1008 bytes an element.
 #[derive(Clone, Copy)]
 #[repr(C)]
-pub(super) struct Field {
+pub struct Field {
     /// As in the one-point element.
     pub gradient: [[Octet; 7]; 3],
     pub hourglass: [[Octet; 3]; 4],
@@ -31,9 +31,40 @@ pub(super) const STRAIN_MODES: [usize; 6] = [1, 2, 4, 6, 5, 3];
 pub(super) const G: f64 = 0.577_350_269_189_625_8;
 
 /// What the values ±1 of the strain's modes stand for: ξ, η, ζ, and ηζ, ξζ, ξη, at the places of the points.
-pub(super) struct Scale {
+pub struct Scale {
     pub linear: [f64; 3],
     pub product: [f64; 3],
+}
+
+/// Geometry of eight elements of several points as their strain needs it: from modal displacements to the strain's coefficients by
+/// component, `[component][mode]`, mode 7 empty, and back from their resultants.
+pub trait FieldShape: Copy + Send + Sync + 'static {
+    /// The coefficients; `initial` is what the strain begins with ([`super::Given::strain`]).
+    fn strain<L: Lane>(
+        &self,
+        modes: &[[L; 8]; 3],
+        scale: &Scale,
+        initial: &[Octet],
+        at: usize,
+    ) -> [[L; 8]; 6];
+
+    /// Modal forces from the resultants of the strain's modes, Σ weight · stress · ±1.
+    fn forces<L: Lane>(&self, resultants: [[L; 8]; 6], scale: &Scale, at: usize) -> [[L; 8]; 3];
+
+    /// The size tensor that a law sees ([`crate::Point::size`]).
+    fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L>;
+
+    /// A stress in global axes from one in those of the strain.
+    fn global<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L>;
+
+    /// The inverse of [`FieldShape::global`].
+    fn local<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L>;
+
+    /// From coefficients to values at 2×2×2 points, in place.
+    fn to_points<L: Lane>(e: &mut [[L; 8]; 6]);
+
+    /// The transpose: from weighted stresses to resultants.
+    fn to_resultants<L: Lane>(e: &mut [[L; 8]; 6]);
 }
 
 /// ½(u⊗v + v⊗u), as a strain with engineering shear.
@@ -135,7 +166,7 @@ impl Field {
 
     /// Means of the strain's modes over what their values ±1 stand for.
     #[inline(always)]
-    pub fn means<L: Lane>(&self, scale: &Scale, at: usize) -> [L; 6] {
+    fn means<L: Lane>(&self, scale: &Scale, at: usize) -> [L; 6] {
         [
             L::load(&self.means[0], at) * L::splat(1.0 / scale.linear[0]),
             L::load(&self.means[1], at) * L::splat(1.0 / scale.linear[1]),
@@ -145,18 +176,18 @@ impl Field {
             L::load(&self.means[5], at) * L::splat(1.0 / scale.product[2]),
         ]
     }
+}
 
-    /// The strain's coefficients by component, from modal displacements: `[component][mode]`, mode 7 empty. `means` are
-    /// [`Self::means`], `initial` is what the strain begins with ([`super::Given::strain`]).
+impl FieldShape for Field {
     #[inline(always)]
-    pub fn strain<L: Lane>(
+    fn strain<L: Lane>(
         &self,
         modes: &[[L; 8]; 3],
         scale: &Scale,
-        means: &[L; 6],
         initial: &[Octet],
         at: usize,
     ) -> [[L; 8]; 6] {
+        let means = self.means::<L>(scale, at);
         let (g0, q0) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[0], at);
         let (g1, q1) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[1], at);
         let (g2, q2) = mean_gradient::<L>(&self.gradient, &self.hourglass, &modes[2], at);
@@ -207,16 +238,10 @@ impl Field {
         e
     }
 
-    /// Modal forces from the resultants of the strain's modes, Σ weight · stress · ±1: forces conjugate to s, then to q, g and
-    /// the modes.
+    /// Forces conjugate to s, then to q, g and the modes.
     #[inline(always)]
-    pub fn forces<L: Lane>(
-        &self,
-        mut e: [[L; 8]; 6],
-        scale: &Scale,
-        means: &[L; 6],
-        at: usize,
-    ) -> [[L; 8]; 3] {
+    fn forces<L: Lane>(&self, mut e: [[L; 8]; 6], scale: &Scale, at: usize) -> [[L; 8]; 3] {
+        let means = self.means::<L>(scale, at);
         let mut c = 0;
         while c < 6 {
             let constant = e[c][0];
@@ -261,5 +286,38 @@ impl Field {
             modal_forces::<L, 1>(b, x, axes, &resultants, &conjugate, at),
             modal_forces::<L, 2>(b, x, axes, &resultants, &conjugate, at),
         ]
+    }
+
+    #[inline(always)]
+    fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L> {
+        super::seen_size(given, &self.gradient, &self.hourglass, at)
+    }
+
+    #[inline(always)]
+    fn global<L: Lane>(&self, stress: &Sym<L>, _: usize) -> Sym<L> {
+        *stress
+    }
+
+    #[inline(always)]
+    fn local<L: Lane>(&self, stress: &Sym<L>, _: usize) -> Sym<L> {
+        *stress
+    }
+
+    #[inline(always)]
+    fn to_points<L: Lane>(e: &mut [[L; 8]; 6]) {
+        let mut c = 0;
+        while c < 6 {
+            to_nodes(&mut e[c]);
+            c += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn to_resultants<L: Lane>(e: &mut [[L; 8]; 6]) {
+        let mut c = 0;
+        while c < 6 {
+            to_modes(&mut e[c]);
+            c += 1;
+        }
     }
 }

@@ -52,11 +52,11 @@ unsafe fn forces<L: Lane>(
     // SAFETY: the indices are below 64; passed on to the caller.
     unsafe {
         match eight {
-            Eight::Full(geometry) => full::<L, _, false>(
+            Eight::Full(geometry) => full::<L, _, _, false>(
                 &law,
                 stabilisation,
                 &point,
-                geometry,
+                &**geometry,
                 &index,
                 history,
                 None,

@@ -1,15 +1,24 @@
 //! 2×2×2 quadrature of the assumed-strain field.
 
-use super::field::{Field, G, Scale};
-use super::{
-    Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal, to_modes,
-    to_nodes,
-};
+use super::field::{Field, FieldShape, G, Scale};
+use super::{Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal};
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Point, Sym, load};
 
-/// Geometry of eight elements; 134 octets, that is 1072 bytes an element.
+/// Geometry of eight elements of 2×2×2 points, whatever of it their shape needs.
+pub trait FullShape: Copy + Send + Sync + 'static {
+    type Field: FieldShape;
+    /// Without extent: forces from it are zero. Pads the last octet of a patch.
+    const EMPTY: Self;
+    /// Puts an element into a lane.
+    fn set(&mut self, lane: usize, hex: &Hex8, elastic: &Stabilisation);
+    fn field(&self) -> &Self::Field;
+    /// Volume of a point \[m³\].
+    fn weight<L: Lane>(&self, p: usize, at: usize) -> L;
+}
+
+/// Geometry of eight elements of any shape; 134 octets, that is 1072 bytes an element.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct FullGeometry {
@@ -18,7 +27,7 @@ pub struct FullGeometry {
     weights: [Octet; 8],
 }
 
-const SCALE: Scale = Scale { linear: [G; 3], product: [G * G; 3] };
+pub(super) const SCALE: Scale = Scale { linear: [G; 3], product: [G * G; 3] };
 
 impl FullGeometry {
     /// Geometry without extent: forces from it are zero. Pads the last octet of a patch.
@@ -36,25 +45,43 @@ impl FullGeometry {
 impl FullGeometry {
     /// Strains at the points of the element in the first lane, from its modal displacements.
     pub(super) fn strains(&self, modes: &[[f64; 8]; 3]) -> [Sym<f64>; 8] {
-        let means = self.field.means::<f64>(&SCALE, 0);
-        let mut e = self.field.strain::<f64>(modes, &SCALE, &means, &[], 0);
-        e.iter_mut().for_each(to_nodes);
+        let mut e = self.field.strain::<f64>(modes, &SCALE, &[], 0);
+        Field::to_points(&mut e);
         core::array::from_fn(|p| core::array::from_fn(|c| e[c][p]))
+    }
+}
+
+impl FullShape for FullGeometry {
+    type Field = Field;
+    const EMPTY: Self = Self::EMPTY;
+
+    fn set(&mut self, lane: usize, hex: &Hex8, elastic: &Stabilisation) {
+        self.set(lane, hex, elastic);
+    }
+
+    #[inline(always)]
+    fn field(&self) -> &Field {
+        &self.field
+    }
+
+    #[inline(always)]
+    fn weight<L: Lane>(&self, p: usize, at: usize) -> L {
+        L::load(&self.weights[p], at)
     }
 }
 
 /// Internal forces of eight elements, added to `out`; history (point by point) is updated in place.
 ///
-/// Arguments and sign as in [`super::one_point`]; strains reach the law in global axes.
+/// Arguments and sign as in [`super::one_point`]; strains reach the law in global axes, those of bricks in axes along their edges.
 ///
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
 #[inline(always)]
-pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
+pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
     material: &M,
     _: &Stabilisation,
     point: &Point<f64>,
-    geometry: &FullGeometry,
+    geometry: &G,
     index: &[[u16; 8]; 8],
     history: &mut [Octet],
     band: Option<&BandStep>,
@@ -66,27 +93,24 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
     probe: &mut Probe,
 ) {
     let columns = M::HISTORY.len();
-    let field = &geometry.field;
+    let field = geometry.field();
     let mut nodal = [[Octet::ZERO; 3]; 8];
     let mut at = 0;
     while at < 8 {
         // SAFETY: passed on to the caller.
         let modes = unsafe { gather_modes::<L>(rows, index, at) };
-        let means = field.means::<L>(&SCALE, at);
-        let mut e = field.strain::<L>(&modes, &SCALE, &means, given.strain, at);
-        let mut c = 0;
-        while c < 6 {
-            to_nodes(&mut e[c]);
-            c += 1;
-        }
+        let mut e = field.strain::<L>(&modes, &SCALE, given.strain, at);
+        G::Field::to_points(&mut e);
 
         // The law at the eight points; strains make room for weighted stresses.
         let mut lane_point = Point::<L>::splat(point);
         if M::NEEDS_SIZE {
-            lane_point.size = super::seen_size(&given, &field.gradient, &field.hourglass, at);
+            lane_point.size = field.size(&given, at);
         }
         let mut energy = L::splat(0.0);
         let (mut dissipated, mut created, mut of_band) = (energy, energy, energy);
+        let mut moved = [[L::splat(0.0); 8]; 6];
+        let mut is_moved_known = false;
         let mut p = 0;
         while p < 8 {
             let strain: Sym<L> = [e[0][p], e[1][p], e[2][p], e[3][p], e[4][p], e[5][p]];
@@ -96,14 +120,22 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
                 super::keep_left(&answer.left, &mut left[p * LEFT..], at);
             }
             let of_law = answer.stress;
-            let weight = L::load(&geometry.weights[p], at);
+            let weight = geometry.weight::<L>(p, at);
             let mut stress = of_law;
             let mut held = L::splat(0.0);
             if let Some(band) = band {
                 let memory = &mut overstress[p * MEMORY..(p + 1) * MEMORY];
-                stress = super::plus(stress, band.stress(&strain, answer.before, answer.now, memory, at));
+                if M::DAMAGES && !is_moved_known && band.asks(answer.before, answer.now) {
+                    // SAFETY: passed on to the caller.
+                    moved = unsafe { has_moved(field, index, given.moved, at) };
+                    G::Field::to_points(&mut moved);
+                    is_moved_known = true;
+                }
+                let moved = [moved[0][p], moved[1][p], moved[2][p], moved[3][p], moved[4][p], moved[5][p]];
+                let carried = band.stress(&strain, answer.before, answer.now, &moved, memory, at);
+                stress = super::plus(stress, carried);
                 if PROBE {
-                    held = band.held(answer.now, memory, at);
+                    held = band.held(&strain, answer.now, memory, at);
                     of_band = weight.mul_add(BandStep::dissipated::<L>(memory, at), of_band);
                 }
             }
@@ -118,6 +150,7 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
                 energy = weight.mul_add(stored, energy);
                 dissipated = weight.mul_add(super::booked(&new, M::DISSIPATION), dissipated);
                 created = weight.mul_add(super::booked(&new, M::CREATION), created);
+                let stress = field.global(&stress, at);
                 let mut c = 0;
                 while c < 6 {
                     stress[c].store(&mut probe.stress[p][c], at);
@@ -134,15 +167,30 @@ pub unsafe fn full<L: Lane, M: Material, const PROBE: bool>(
         }
 
         // Back the same way.
-        let mut c = 0;
-        while c < 6 {
-            to_modes(&mut e[c]);
-            c += 1;
-        }
-        let mut forces = field.forces::<L>(e, &SCALE, &means, at);
+        G::Field::to_resultants(&mut e);
+        let mut forces = field.forces::<L>(e, &SCALE, at);
         store_nodal(&mut forces, &mut nodal, at);
         at += L::WIDTH;
     }
     // SAFETY: passed on to the caller.
     unsafe { scatter_nodal::<L>(out, index, &nodal) };
+}
+
+/// How far the strain has moved in the step, by its coefficients; not at all where no increments are given.
+///
+/// # Safety
+/// As for [`full`].
+#[inline(always)]
+unsafe fn has_moved<L: Lane>(
+    field: &impl FieldShape,
+    index: &[[u16; 8]; 8],
+    moved: &[Row],
+    at: usize,
+) -> [[L; 8]; 6] {
+    if moved.is_empty() {
+        return [[L::splat(0.0); 8]; 6];
+    }
+    // SAFETY: passed on to the caller.
+    let modes = unsafe { gather_modes::<L>(moved, index, at) };
+    field.strain::<L>(&modes, &SCALE, &[], at)
 }

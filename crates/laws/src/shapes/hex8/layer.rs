@@ -1,8 +1,33 @@
 //! A field that is linear through the thickness, and bilinear with it in the plane: its values in a layer of four points.
 
+use super::field::FieldShape;
 use super::quadrature::Through;
+use super::{Hex8, Stabilisation};
 use crate::lane::{Lane, Octet};
 use crate::material::{Moduli, Sym};
+
+/// Geometry of eight elements of several layers, whatever of it their shape needs.
+pub trait LayeredShape: Copy + Send + Sync + 'static {
+    type Field: FieldShape;
+    /// Without extent: forces from it are zero. Pads the last octet of a patch.
+    const EMPTY: Self;
+    /// Puts an element, numbered so that ζ is its thickness, into a lane.
+    fn set(&mut self, lane: usize, hex: &Hex8, elastic: &Stabilisation, through: &Through);
+    fn field(&self) -> &Self::Field;
+    /// Volume of a point in a layer \[m³\].
+    fn weight<L: Lane>(&self, through: &Through, layer: usize, q: usize, at: usize) -> L;
+    /// Adds to the resultants what a whole elastic material would of a strain with these coefficients, at all points at once.
+    fn add_elastic<L: Lane>(
+        &self,
+        through: &Through,
+        sums: &mut [[L; 8]; 6],
+        moduli: &Moduli,
+        e: &[[L; 8]; 6],
+        at: usize,
+    );
+    /// ∫ ½e:C:e \[J\] of a strain with these coefficients, over all points.
+    fn elastic_energy<L: Lane>(&self, through: &Through, moduli: &Moduli, e: &[[L; 8]; 6], at: usize) -> L;
+}
 
 /// Values at the four points of a layer, from coefficients by component: `[component][point]`. The coefficients in the plane are
 /// those of ±1 at the points.

@@ -9,16 +9,16 @@
 //! element in place of 7200 with nine layers.
 
 use super::bodies::{self, Bodies};
-use super::field::{Field, G, Scale};
+use super::field::{Field, FieldShape, G, Scale};
 use super::geometry::determinant_at;
-use super::layer::{add_elastic, add_layer, in_layer, moments, of_point};
+use super::layer::{LayeredShape, add_elastic, add_layer, elastic_energy, in_layer, moments, of_point};
 use super::quadrature::Through;
 use super::{Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal};
 use crate::band::BandStep;
 use crate::lane::{Lane, Octet, Row};
 use crate::material::{Material, Moduli, Point, load};
 
-/// Geometry of eight elements; 138 octets, that is 1104 bytes an element, however many layers there are.
+/// Geometry of eight elements of any shape; 138 octets, that is 1104 bytes an element, however many layers there are.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct LayeredGeometry {
@@ -56,7 +56,19 @@ impl LayeredGeometry {
     }
 }
 
-impl LayeredGeometry {
+impl LayeredShape for LayeredGeometry {
+    type Field = Field;
+    const EMPTY: Self = Self::EMPTY;
+
+    fn set(&mut self, lane: usize, hex: &Hex8, elastic: &Stabilisation, through: &Through) {
+        self.set(lane, hex, elastic, through);
+    }
+
+    #[inline(always)]
+    fn field(&self) -> &Field {
+        &self.field
+    }
+
     /// det J times the weight of a point in a layer.
     #[inline(always)]
     fn weight<L: Lane>(&self, through: &Through, layer: usize, q: usize, at: usize) -> L {
@@ -64,21 +76,38 @@ impl LayeredGeometry {
         let linear = zeta.mul_add(L::load(&depth[2], at), L::load(&depth[1], at));
         L::splat(through.weight[layer]) * zeta.mul_add(linear, L::load(&depth[0], at))
     }
+
+    #[inline(always)]
+    fn add_elastic<L: Lane>(
+        &self,
+        through: &Through,
+        sums: &mut [[L; 8]; 6],
+        moduli: &Moduli,
+        e: &[[L; 8]; 6],
+        at: usize,
+    ) {
+        add_elastic(sums, moduli, e, &moments(through, &self.depth, at));
+    }
+
+    #[inline(always)]
+    fn elastic_energy<L: Lane>(&self, through: &Through, moduli: &Moduli, e: &[[L; 8]; 6], at: usize) -> L {
+        elastic_energy(moduli, e, &moments(through, &self.depth, at))
+    }
 }
 
 /// Internal forces of eight elements, added to `out`; history (layer by layer, four points in each) is updated in place.
 ///
-/// Arguments and sign as in [`super::one_point`]; strains reach the law in global axes. `overstress` has
+/// Arguments and sign as in [`super::one_point`]; strains reach the law in global axes, those of bricks in axes along their edges. `overstress` has
 /// [`super::MODAL_MEMORY`] octets.
 ///
 /// # Safety
 /// All indices must be below `rows.len()` and `out.len()`, and the lane's instruction set must be enabled.
 #[inline(always)]
-pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
+pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
     through: &Through,
     material: &M,
     point: &Point<f64>,
-    geometry: &LayeredGeometry,
+    geometry: &G,
     index: &[[u16; 8]; 8],
     history: &mut [Octet],
     band: Option<&BandStep>,
@@ -90,28 +119,30 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
     probe: &mut Probe,
 ) {
     let columns = M::HISTORY.len();
-    let field = &geometry.field;
+    let field = geometry.field();
     let mut nodal = [[Octet::ZERO; 3]; 8];
     let mut at = 0;
     while at < 8 {
         // SAFETY: passed on to the caller.
         let modes = unsafe { gather_modes::<L>(rows, index, at) };
-        let means = field.means::<L>(&SCALE, at);
-        let e = field.strain::<L>(&modes, &SCALE, &means, given.strain, at);
+        let e = field.strain::<L>(&modes, &SCALE, given.strain, at);
         let zero = L::splat(0.0);
-        let band = match band {
-            Some(step) => Some((step, Bodies::advance(step, &e, overstress, at))),
+        let mut taken = zero;
+        let mut band = match band {
+            Some(step) => {
+                Some((step, Bodies::advance(step, &e, overstress, (through, geometry), &mut taken, at)))
+            }
             None => None,
         };
         let mut lane_point = Point::<L>::splat(point);
         if M::NEEDS_SIZE {
-            lane_point.size = super::seen_size(&given, &field.gradient, &field.hourglass, at);
+            lane_point.size = field.size(&given, at);
         }
         let mut sums = [[zero; 8]; 6];
-        let mut taken = zero;
         if let Some((step, bodies)) = &band {
-            taken = bodies.add_whole(step, &mut sums, &moments(through, &geometry.depth, at));
+            bodies.add_whole(step, &mut sums, (through, geometry), at);
         }
+        let mut is_moved_known = false;
         let (mut energy, mut dissipated, mut created) = (zero, zero, zero);
         let mut layer = 0;
         while layer < through.count {
@@ -145,11 +176,12 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
                             stress[c] = answer.now.mul_add(carried[c], stress[c]);
                             c += 1;
                         }
-                        stored = stored + bodies::held(step, overstress, zeta, q, answer.now, at);
+                        stored = stored + bodies::held(step, &strain, overstress, zeta, q, answer.now, at);
                     }
                     energy = weight[q].mul_add(stored, energy);
                     dissipated = weight[q].mul_add(super::booked(&new, M::DISSIPATION), dissipated);
                     created = weight[q].mul_add(super::booked(&new, M::CREATION), created);
+                    let stress = field.global(&stress, at);
                     let mut c = 0;
                     while c < 6 {
                         stress[c].store(&mut probe.stress[p][c], at);
@@ -159,12 +191,22 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
                 q += 1;
             }
             if M::DAMAGES
-                && let Some((step, bodies)) = &band
+                && let Some((step, bodies)) = &mut band
             {
                 let least = now[0].smaller(now[1]).smaller(now[2].smaller(now[3]));
                 if L::any(least.less(L::splat(1.0))) {
+                    let asks = step.asks(before[0], now[0])
+                        | step.asks(before[1], now[1])
+                        | step.asks(before[2], now[2])
+                        | step.asks(before[3], now[3]);
+                    if asks && !is_moved_known && !given.moved.is_empty() {
+                        // SAFETY: passed on to the caller.
+                        let modes = unsafe { gather_modes::<L>(given.moved, index, at) };
+                        bodies.has_moved(field.strain::<L>(&modes, &SCALE, &[], at));
+                        is_moved_known = true;
+                    }
                     let shares = [&before, &now];
-                    let beyond = bodies.lessen(step, overstress, zeta, &weight, shares, &mut values, at);
+                    let beyond = bodies.lessen(step, &e, overstress, zeta, &weight, shares, &mut values, at);
                     taken = taken + beyond;
                 }
             }
@@ -182,7 +224,7 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
                 bodies::dissipated::<L>(overstress, at).store(&mut probe.of_band, at);
             }
         }
-        let mut forces = field.forces::<L>(sums, &SCALE, &means, at);
+        let mut forces = field.forces::<L>(sums, &SCALE, at);
         store_nodal(&mut forces, &mut nodal, at);
         at += L::WIDTH;
     }
@@ -196,27 +238,26 @@ pub unsafe fn layered<L: Lane, M: Material, const PROBE: bool>(
 /// # Safety
 /// As for [`layered`].
 #[inline(always)]
-pub unsafe fn layered_left<L: Lane>(
+pub unsafe fn layered_left<L: Lane, G: LayeredShape>(
     through: &Through,
     moduli: &Moduli,
-    geometry: &LayeredGeometry,
+    geometry: &G,
     index: &[[u16; 8]; 8],
     left: &[Octet],
     factor: &Octet,
     rows: &[Row],
     out: &mut [Row],
 ) {
-    let field = &geometry.field;
+    let field = geometry.field();
     let (zero, three) = (L::splat(0.0), L::splat(3.0));
     let mut nodal = [[Octet::ZERO; 3]; 8];
     let mut at = 0;
     while at < 8 {
         // SAFETY: passed on to the caller.
         let modes = unsafe { gather_modes::<L>(rows, index, at) };
-        let means = field.means::<L>(&SCALE, at);
-        let e = field.strain::<L>(&modes, &SCALE, &means, &[], at);
+        let e = field.strain::<L>(&modes, &SCALE, &[], at);
         let mut sums = [[zero; 8]; 6];
-        add_elastic(&mut sums, moduli, &e, &moments(through, &geometry.depth, at));
+        geometry.add_elastic(through, &mut sums, moduli, &e, at);
         let mut layer = 0;
         while layer < through.count {
             let zeta = through.zeta[layer];
@@ -259,7 +300,7 @@ pub unsafe fn layered_left<L: Lane>(
             }
             c += 1;
         }
-        let mut forces = field.forces::<L>(sums, &SCALE, &means, at);
+        let mut forces = field.forces::<L>(sums, &SCALE, at);
         store_nodal(&mut forces, &mut nodal, at);
         at += L::WIDTH;
     }

@@ -29,6 +29,7 @@
 
 mod bodies;
 mod brick;
+mod brick_field;
 mod elastic;
 mod field;
 mod frequency;
@@ -43,10 +44,13 @@ mod size;
 
 pub use bodies::MODAL_MEMORY;
 pub use brick::BrickGeometry;
+pub use brick_field::{BrickField, bricks_left};
 pub use elastic::elastic_stress;
+pub use field::FieldShape;
 pub use frequency::element_frequencies;
-pub use full::{FullGeometry, full};
+pub use full::{FullGeometry, FullShape, full};
 pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
+pub use layer::LayeredShape;
 pub use layered::{LayeredGeometry, layered, layered_left};
 pub use one_point::{OnePointGeometry, OnePointShape, Resistance, one_point};
 pub use quadrature::{Layers, MOST_POINTS, Points, Quadrature, Through, turned};
@@ -294,23 +298,26 @@ fn booked<L: Lane>(history: &impl AsRef<[L]>, column: Option<usize>) -> L {
     }
 }
 
-/// What elements have beside their geometry, six octets an octet of elements each; empty where they have nothing of the kind.
+/// What elements have beside their geometry; empty where they have nothing of the kind. Tensors are six octets an octet of elements.
 #[derive(Clone, Copy, Default)]
 pub struct Given<'a> {
     /// Strain that they begin with.
     pub strain: &'a [Octet],
     /// The size tensor that the law is to see in place of their own.
     pub size: &'a [Octet],
+    /// Increments of the nodes' displacements over the step \[m\], in the order of their rows: where damage grows, damping over a band
+    /// books by them. Empty: they did not move.
+    pub moved: &'a [Row],
 }
 
 impl<'a> Given<'a> {
     /// Nothing.
-    pub const NONE: Given<'static> = Given { strain: &[], size: &[] };
+    pub const NONE: Given<'static> = Given { strain: &[], size: &[], moved: &[] };
 
     /// What the octet `i` of elements has.
     pub fn of(&self, i: usize) -> Given<'a> {
         let own = |all: &'a [Octet]| all.get(6 * i..6 * (i + 1)).unwrap_or(&[]);
-        Given { strain: own(self.strain), size: own(self.size) }
+        Given { strain: own(self.strain), size: own(self.size), moved: self.moved }
     }
 }
 

@@ -183,9 +183,15 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
         if let Some(band) = band {
             let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
             let memory = &mut overstress[..MEMORY];
-            stress = super::plus(stress, band.stress(&strain, before, now, memory, at));
+            let mut moved = [L::splat(0.0); 6];
+            if M::DAMAGES && band.asks(before, now) && !given.moved.is_empty() {
+                // SAFETY: passed on to the caller.
+                let modes = unsafe { gather_modes::<L>(given.moved, index, at) };
+                (moved, _) = geometry.strain::<L>(&modes, at);
+            }
+            stress = super::plus(stress, band.stress(&strain, before, now, &moved, memory, at));
             if PROBE {
-                held = band.held(now, memory, at);
+                held = band.held(&strain, now, memory, at);
                 (geometry.volume::<L>(at) * BandStep::dissipated::<L>(memory, at))
                     .store(&mut probe.of_band, at);
             }
