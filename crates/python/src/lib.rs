@@ -18,8 +18,10 @@ mod look;
 mod made;
 mod mesh;
 mod motion;
+mod record;
 mod report;
 mod simulation;
+mod study;
 mod tables;
 mod target;
 mod teller;
@@ -53,6 +55,7 @@ fn _tremolite(module: &Bound<'_, PyModule>) -> PyResult<()> {
     mesh::add(module)?;
     motion::add(module)?;
     report::add(module)?;
+    study::add(module)?;
     target::add(module)?;
     tables::add(module)
 }

@@ -33,6 +33,7 @@ fn sample() -> Study {
         runs: (1..=4).map(run).collect(),
         tornados: vec![Tornado {
             measure: "cracked".into(),
+            beside: String::new(),
             base: 0.2,
             bars: vec![TornadoBar {
                 name: "initial.lateral".into(),

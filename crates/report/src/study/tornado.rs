@@ -33,7 +33,15 @@ fn figure(study: &Study, language: Language, tornado: &Tornado) -> Figure {
     let place = |x: f64| left + axis.fraction(x * scale.factor) * (WIDTH - left - 16.0);
     let bottom = TOP + ROW * bars.len() as f64;
     let mut svg = Svg::new(WIDTH);
-    let title = say!(language, "{measure}: what each key changes", measure = tornado.measure);
+    let title = match tornado.beside.as_str() {
+        "" => say!(language, "{measure}: what each key changes", measure = tornado.measure),
+        base => say!(
+            language,
+            "{measure}: what each key changes of {base}",
+            measure = tornado.measure,
+            base = base
+        ),
+    };
     svg.text((16.0, 18.0), Anchor::Start, 14.0, Style::Bold, &title);
     for (value, label) in &axis.marks {
         let x = left + axis.fraction(*value) * (WIDTH - left - 16.0);
@@ -58,16 +66,27 @@ fn figure(study: &Study, language: Language, tornado: &Tornado) -> Figure {
     );
     let said = say!(language, "Bars of the results at the values of each key, the widest first.");
     let svg = svg.finish(bottom + 44.0, &title, &said);
-    let mut caption = vec![say!(
-        language,
-        "{measure} as the case is: {value}; at the ends of a bar the values of its key.",
-        measure = tornado.measure,
-        value = format!("{} {}", scale.number(tornado.base), scale.unit).trim_end()
-    )];
+    let value = format!("{} {}", scale.number(tornado.base), scale.unit);
+    let mut caption = vec![match tornado.beside.as_str() {
+        "" => say!(
+            language,
+            "{measure} as the case is: {value}; at the ends of a bar the values of its key.",
+            measure = tornado.measure,
+            value = value.trim_end()
+        ),
+        base => say!(
+            language,
+            "{measure} of {base}: {value}; at the ends of a bar the values of its key.",
+            measure = tornado.measure,
+            base = base,
+            value = value.trim_end()
+        ),
+    }];
     let more = tornado.bars.len().saturating_sub(MOST);
     if more > 0 {
         caption.push(say!(language, "{some} more change it less.", some = more));
     }
     let caption = language.joined(&caption);
-    Figure { file: format!("tornado-{}.svg", file_part(&tornado.measure)), svg, caption }
+    let name: String = [&tornado.measure, &tornado.beside].map(|part| file_part(part)).join("-");
+    Figure { file: format!("tornado-{}.svg", name.trim_end_matches('-')), svg, caption }
 }
