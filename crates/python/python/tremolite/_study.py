@@ -60,7 +60,7 @@ class Study:
         twice = sorted(set(given) & set(tables))
         if twice:
             raise Error(f"{', '.join(twice)} is given twice")
-        given |= tables
+        given |= {name: table for name, table in tables.items() if table is not None}
         self.out = Path(out if out is not None else Path("results", "study")).absolute()
         self.path = self.out / "study.toml"
         # What the study names is there before it is checked; the study itself only once it is.

@@ -11,6 +11,8 @@ use crate::language::{Language, say};
 const WIDTH: f64 = 940.0;
 const ROW: f64 = 30.0;
 const TOP: f64 = 40.0;
+/// What study.json calls the value of a key that is the case's.
+const AS_IT_IS: &str = "as it is";
 /// Bars at most.
 const MOST: usize = 30;
 
@@ -53,8 +55,10 @@ fn figure(study: &Study, language: Language, tornado: &Tornado) -> Figure {
         let (from, to) = (place(bar.low.1), place(bar.high.1).max(place(bar.low.1) + 1.0));
         svg.areas(LINES[0], &[vec![(from, y + 6.0), (to, y + 6.0), (to, y + 22.0), (from, y + 22.0)]]);
         svg.text((left - 8.0, y + 18.0), Anchor::End, 12.0, Style::Plain, &bar.name);
-        svg.text((from - 5.0, y + 18.0), Anchor::End, 11.0, Style::Muted, &bar.low.0);
-        svg.text((to + 5.0, y + 18.0), Anchor::Start, 11.0, Style::Muted, &bar.high.0);
+        let named =
+            |value: &str| if value == AS_IT_IS { say!(language, "as it is") } else { value.to_owned() };
+        svg.text((from - 5.0, y + 18.0), Anchor::End, 11.0, Style::Muted, &named(&bar.low.0));
+        svg.text((to + 5.0, y + 18.0), Anchor::Start, 11.0, Style::Muted, &named(&bar.high.0));
     }
     svg.rule((place(tornado.base), TOP), (place(tornado.base), bottom), true);
     svg.text(
