@@ -29,6 +29,6 @@ def rows(lines: Sequence[Sequence[str]], words: Collection[str]) -> list[dict[st
     made: list[list[Any]] = []
     for name, cells in zip(names, columns, strict=bool(columns)):
         given = [cell.strip() for cell in cells if cell.strip()]
-        numbers = name not in words and given and all(_NUMBER.fullmatch(cell) for cell in given)
+        numbers = name not in words and all(_NUMBER.fullmatch(cell) for cell in given)
         made.append([float(cell) if cell.strip() else float("nan") for cell in cells] if numbers else list(cells))
     return [dict(zip(names, row, strict=True)) for row in zip(*made, strict=True)]

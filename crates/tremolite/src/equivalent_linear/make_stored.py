@@ -38,7 +38,7 @@ def soil_type(layer):
 def accelerations(dt, count, peak):
     t = dt * np.arange(count)
     group = lambda at, width, hertz: np.exp(-(((t - at) / width) ** 2)) * np.sin(2 * np.pi * hertz * (t - at))
-    return peak * (group(5.0, 1.5, 1.7) + 0.6 * group(6.5, 2.0, 4.3))
+    return peak * (group(9.0, 1.5, 1.7) + 0.6 * group(12.0, 2.0, 4.3))
 
 
 def run(name, layers, rock, motion, given):
@@ -105,7 +105,7 @@ PROFILES = [
 
 CURVES = []
 for given in ((0, 1.0, 50e3, 1.0, 10.0), (40, 4.0, 400e3, 2.0, 20.0)):
-    made = darendeli(*given, strains=np.logspace(-6, np.log10(5e-3), 15))
+    made = darendeli(*given, strains=np.logspace(-4.5, np.log10(5e-3), 15))
     points = np.transpose([made.mod_reduc.strains, made.mod_reduc.values, made.damping.values])
     CURVES.append({**by_darendeli(*given), "points": points.tolist()})
 for pi in (0, 15, 200):

@@ -18,7 +18,7 @@ fn motion(of: &Value) -> (Vec<f64>, f64) {
     let group = |t: f64, at: f64, width: f64, hertz: f64| {
         (-((t - at) / width).powi(2)).exp() * (TAU * hertz * (t - at)).sin()
     };
-    let sample = |t: f64| peak * (group(t, 5.0, 1.5, 1.7) + 0.6 * group(t, 6.5, 2.0, 4.3));
+    let sample = |t: f64| peak * (group(t, 9.0, 1.5, 1.7) + 0.6 * group(t, 12.0, 2.0, 4.3));
     ((0..count as usize).map(|k| sample(k as f64 * dt)).collect(), dt)
 }
 
