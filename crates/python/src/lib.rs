@@ -21,6 +21,7 @@ mod motion;
 mod record;
 mod report;
 mod simulation;
+mod soft_ground;
 mod study;
 mod tables;
 mod target;
@@ -55,6 +56,7 @@ fn _tremolite(module: &Bound<'_, PyModule>) -> PyResult<()> {
     mesh::add(module)?;
     motion::add(module)?;
     report::add(module)?;
+    soft_ground::add(module)?;
     study::add(module)?;
     target::add(module)?;
     tables::add(module)

@@ -16,6 +16,7 @@ pub use darendeli::Darendeli;
 
 use crate::layered_column::{Layer, LayeredColumn, Train};
 use rayon::prelude::*;
+use std::fmt;
 use tremolite_engine::Top;
 use tremolite_engine::problem::Rayleigh;
 use tremolite_motion::Complex64;
@@ -99,6 +100,27 @@ pub enum Unfit {
     Restless { change: f64 },
     /// There are no layers, or no motion.
     Nothing,
+}
+
+impl fmt::Display for Unfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unfit::Strained { layer, strain } => write!(
+                f,
+                "layer {} from the surface shears by {:.2} %, and ground is no linear column beyond {:.1} %: model it with a law that yields, or look \
+                 whether the record or the velocity is meant so",
+                layer + 1,
+                100.0 * strain,
+                100.0 * MOST_STRAIN
+            ),
+            Unfit::Restless { change } => write!(
+                f,
+                "no moduli fit their own strains: in the last round they still changed by {:.2} %; divide thick layers, or give more rounds",
+                100.0 * change
+            ),
+            Unfit::Nothing => write!(f, "there are no layers, or nothing shakes them"),
+        }
+    }
 }
 
 /// Finds the column for layers from the surface down on a rock, under an acceleration \[m/s²\] every `dt` \[s\], at rest before.

@@ -20,6 +20,7 @@ from ._mesh import Mesh
 from ._motion import Channel, Motion
 from ._own import NodalForce, Observer
 from ._results import Result, compare
+from ._soft_ground import soft_ground
 from ._study import Study
 from ._study_result import Curve, StudyResult, StudyTable
 from ._tables import Table
@@ -80,4 +81,5 @@ __all__ = [
     "compare",
     "law",
     "select",
+    "soft_ground",
 ]
