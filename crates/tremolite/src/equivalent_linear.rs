@@ -9,10 +9,12 @@
 
 mod curves;
 mod darendeli;
+mod table;
 mod vucetic_dobry;
 
-pub use curves::{CurveTable, Curves};
+pub use curves::Curves;
 pub use darendeli::Darendeli;
+pub use table::CurveTable;
 
 use crate::layered_column::{Layer, LayeredColumn, Train};
 use rayon::prelude::*;

@@ -3,7 +3,7 @@
 //! Read off the published figures, as they are handed on in pyStrata (MIT licence; its file `published_curves.toml`): a few hundredths of G/G_max
 //! and a few parts in a thousand of damping are within the width of a line.
 
-use super::CurveTable;
+use super::table::CurveTable;
 
 const STRAINS: [f64; 9] = [1e-6, 3.16e-6, 1e-5, 3.16e-5, 1e-4, 3.16e-4, 1e-3, 3.16e-3, 1e-2];
 
