@@ -6,6 +6,8 @@ mod machine;
 mod ranks;
 mod terminal;
 
+pub use commands::study::plan as study_plan;
+
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 

@@ -172,6 +172,11 @@ impl Case {
         mesh::of_case(py, &self.case, &Inputs::default())
     }
 
+    /// Its text with files by absolute paths, so that it can stand anywhere.
+    fn _placed(&self) -> String {
+        self.case.placed()
+    }
+
     /// A number of a material in SI; none where the material has no such number.
     fn _number(&self, material: &str, key: &str) -> Option<f64> {
         let material = self.case.materials.iter().find(|one| one.name.value == material)?;

@@ -18,8 +18,11 @@ mod look;
 mod made;
 mod mesh;
 mod motion;
+mod record;
 mod report;
 mod simulation;
+mod soft_ground;
+mod study;
 mod tables;
 mod target;
 mod teller;
@@ -53,6 +56,8 @@ fn _tremolite(module: &Bound<'_, PyModule>) -> PyResult<()> {
     mesh::add(module)?;
     motion::add(module)?;
     report::add(module)?;
+    soft_ground::add(module)?;
+    study::add(module)?;
     target::add(module)?;
     tables::add(module)
 }

@@ -2,15 +2,17 @@
 
 use crate::arrays::{column, rows};
 use crate::errors::unusable;
+use crate::record;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use tremolite::history::History;
 use tremolite::phase::ElementSlot;
 use tremolite::point_stress::mean;
 use tremolite::{Assembly, Model, Phase, Snapshot};
 use tremolite_case::pattern::matches;
 use tremolite_laws::{Octet, Row};
+use tremolite_results::own_table::OwnRow;
 
 /// What is there to be seen: shared, and the same for all looks of a stage or of the shaking.
 #[derive(Clone)]
@@ -31,6 +33,8 @@ pub struct Look {
     history: Vec<Octet>,
     stage: Option<String>,
     memory: Option<Py<PyDict>>,
+    /// Rows of tables of the script's own.
+    rows: Mutex<Vec<OwnRow>>,
 }
 
 impl Look {
@@ -42,7 +46,13 @@ impl Look {
         stage: Option<String>,
         memory: Option<Py<PyDict>>,
     ) -> Self {
-        Look { scene, snapshot, history, stage, memory }
+        Look { scene, snapshot, history, stage, memory, rows: Mutex::default() }
+    }
+
+    /// The rows that were recorded with it; none are left.
+    pub fn take_rows(&self) -> Vec<OwnRow> {
+        // Nothing panics while it holds this lock.
+        std::mem::take(&mut *self.rows.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// An array (nodes, 3) in the order of the user's mesh, of one in that of the engine; NaN at nodes of void elements alone.
@@ -228,6 +238,21 @@ impl Look {
     #[getter]
     fn memory<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyDict>> {
         self.memory.as_ref().map(|memory| memory.bind(py).clone())
+    }
+
+    /// Adds a row to a table of the script's own, `own/NAME.csv` among the results: `now.record("roof", {"u [m]": u, "cracked": n})`. The
+    /// keys head its columns, with their units, behind the time [s], which comes by itself (0 in the stages); an array (n,) makes n
+    /// columns, `u0 [m]` and so on. All rows of a table have the same columns. A resumed run goes on behind its checkpoint, so no row is
+    /// twice or missing. `Result.own` reads them.
+    fn record(&self, name: &str, values: &Bound<'_, PyDict>) -> PyResult<()> {
+        if self.memory.is_none() {
+            return Err(unusable(
+                "a look of Simulation.look is no part of the run, whose checkpoint would not know of it; record in a callback or an observer",
+            ));
+        }
+        let row = record::row(name, self.snapshot.time, values)?;
+        self.rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
+        Ok(())
     }
 
     fn __repr__(&self) -> String {

@@ -8,7 +8,7 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 use tremolite_motion::{
     Channel, Error, Geographic, Intensity, Orientation, Process, ReadOptions, Sensitivity, Units, process,
-    pseudo_acceleration, read,
+    pseudo_acceleration, read, write_text,
 };
 
 /// A channel as Python has it.
@@ -118,6 +118,13 @@ fn process_record<'py>(motion: &Bound<'py, PyAny>, steps: Vec<String>) -> PyResu
     to_python(motion.py(), &channels)
 }
 
+/// Writes the channels of a record as text columns, each to its file: reading them gives the same samples bit for bit.
+#[pyfunction]
+fn write_record(motion: &Bound<'_, PyAny>, paths: Vec<PathBuf>) -> PyResult<()> {
+    let channels = of_python(motion)?;
+    channels.iter().zip(&paths).try_for_each(|(channel, path)| write_text(channel, &[], path)).map_err(told)
+}
+
 /// East, north and up of a record, turned from whatever its channels look to: `dt` [s], `start` [s], and an array (n,) [m/s²] for
 /// each.
 #[pyfunction]
@@ -183,6 +190,7 @@ fn orientation(label: &str) -> (Option<f64>, bool) {
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(read_record, module)?)?;
     module.add_function(wrap_pyfunction!(process_record, module)?)?;
+    module.add_function(wrap_pyfunction!(write_record, module)?)?;
     module.add_function(wrap_pyfunction!(geographic, module)?)?;
     module.add_function(wrap_pyfunction!(spectrum, module)?)?;
     module.add_function(wrap_pyfunction!(intensity, module)?)?;

@@ -5,7 +5,11 @@ use pyo3::prelude::*;
 use std::path::PathBuf;
 use tremolite_report::Language;
 
-fn language(word: Option<&str>) -> PyResult<Option<Language>> {
+/// A language by its word.
+///
+/// # Errors
+/// If it is none of the page's.
+pub fn language(word: Option<&str>) -> PyResult<Option<Language>> {
     word.map(|word| {
         word.parse()
             .map_err(|_| unusable(format!("{word:?} is no language of the page; give \"en\" or \"zh\"")))

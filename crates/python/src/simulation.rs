@@ -50,6 +50,34 @@ struct Held {
     stage_seconds: f64,
     /// How it ended, once it has.
     ending: Option<Ending>,
+    /// What is known of it then, where the summary could not be written.
+    outcome: Option<Outcome>,
+}
+
+impl Held {
+    /// Ends it where it stands, and writes what is written at the end.
+    fn finish(&mut self, job: &Job) -> Result<Outcome, RunError> {
+        let outcome = match self.outcome.take() {
+            Some(outcome) => outcome,
+            None => {
+                let ending = match &self.ending {
+                    Some(ending) => ending.clone(),
+                    None => match self.simulation.checkpoint()? {
+                        Some((halt, place)) => Ending::Failed { halt, place },
+                        None => Ending::Stopped,
+                    },
+                };
+                self.simulation.finish(ending, self.stage_seconds)?
+            }
+        };
+        match self.begun.end(job, &outcome, &self.caller) {
+            Ok(_) => Ok(outcome),
+            Err(why) => {
+                self.outcome = Some(outcome);
+                Err(why)
+            }
+        }
+    }
 }
 
 impl Simulation {
@@ -98,6 +126,11 @@ impl Simulation {
     ) -> PyResult<T> {
         let mut held = self.held()?;
         let moving = held.as_mut().ok_or_else(over)?;
+        if moving.outcome.is_some() {
+            return Err(unusable(
+                "this simulation has ended, and its summary could not be written; call finish() again",
+            ));
+        }
         let Simulation { pool, asker: Asker { desk, stop }, .. } = self;
         stop.store(false, Ordering::Relaxed);
         let back = away(py, pool, desk, stop, || work(moving, stop));
@@ -209,25 +242,25 @@ impl Simulation {
         })
     }
 
-    /// Ends it where it stands, with a checkpoint if it is not at its end: writes the summary and the page, and returns a `Result`.
+    /// Ends it where it stands, with a checkpoint if it is not at its end: writes the summary and the page, and returns a `Result`. Where a file
+    /// cannot be written, `RunError` says so, and it may be called again.
     fn finish<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut held = self.held()?;
-        let Held { mut simulation, begun, caller, stage_seconds, ending } = held.take().ok_or_else(over)?;
-        drop(held);
+        let moving = held.as_mut().ok_or_else(over)?;
         let job = &self.job()?;
         let Simulation { pool, asker: Asker { desk, stop }, .. } = self;
-        let back = away(py, pool, desk, stop, || -> Result<Outcome, RunError> {
-            let ending = match ending {
-                Some(ending) => ending,
-                None => match simulation.checkpoint()? {
-                    Some((halt, place)) => Ending::Failed { halt, place },
-                    None => Ending::Stopped,
-                },
-            };
-            let outcome = simulation.finish(ending, stage_seconds)?;
-            begun.end(job, &outcome, &caller)?;
-            Ok(outcome)
-        })?;
+        let back = match away(py, pool, desk, stop, || moving.finish(job)) {
+            Ok(back) => back,
+            Err(why) => {
+                *held = None;
+                return Err(why);
+            }
+        };
+        // What could not be written, on a full disk for one, can be once there is room.
+        if back.result.is_ok() {
+            *held = None;
+        }
+        drop(held);
         self.ended(py, back)
     }
 

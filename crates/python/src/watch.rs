@@ -12,11 +12,12 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use tremolite::RunError;
 use tremolite::job::Job;
-use tremolite::observers::{Event, Observer, OwnObservers, Schedule, Setting, View, Wants, Which};
+use tremolite::observers::{Event, Observer, OwnObservers, Schedule, Setting, View, Wants, Which, add_row};
 use tremolite::phase::beats::span;
 use tremolite::state::Memory;
 use tremolite_case::units;
 use tremolite_laws::Dimension;
+use tremolite_results::own_table::OwnRow;
 
 /// How often a callback looks: steps, or a time such as `"0.05 s"`.
 #[derive(FromPyObject)]
@@ -192,7 +193,7 @@ impl Watch {
         Ok(memory.unbind())
     }
 
-    /// Shows it a look, and says what it remembers then.
+    /// Shows it a look, and says what it remembers then, and the rows that it records.
     fn see(
         &self,
         py: Python<'_>,
@@ -200,7 +201,7 @@ impl Watch {
         at: &Held,
         memory: &Py<PyDict>,
         ours: &[(String, Vec<f64>)],
-    ) -> PyResult<Vec<(String, Vec<f64>)>> {
+    ) -> PyResult<Seen> {
         let look = Bound::new(py, look)?;
         let object = self.object.bind(py);
         let method = PyString::new(py, "see");
@@ -217,6 +218,7 @@ impl Watch {
                 let memory = memory.bind(py);
                 memory.clear();
                 memory.update(before.bind(py).as_mapping())?;
+                drop(look.get().take_rows());
                 call()?
             }
             said => said?,
@@ -224,7 +226,7 @@ impl Watch {
         if !said.is_none() && !said.is_truthy()? {
             self.asker.stop.store(true, Ordering::Relaxed);
         }
-        self.kept(memory.bind(py))
+        Ok((self.kept(memory.bind(py))?, look.get().take_rows()))
     }
 
     /// What it remembers, as numbers. What is no array of float64 becomes one.
@@ -250,6 +252,9 @@ impl Watch {
     }
 }
 
+/// What an observer remembers behind a look, and the rows of its own tables.
+type Seen = (Vec<(String, Vec<f64>)>, Vec<OwnRow>);
+
 /// Where it began.
 struct Held {
     out: PathBuf,
@@ -271,18 +276,18 @@ struct Watcher {
 }
 
 impl Watcher {
-    fn look(&self, view: &View, stage: Option<String>, memory: &mut Memory) {
-        let Some(dict) = self.held.memory.clone() else { return };
+    fn look(&self, view: &View, stage: Option<String>, memory: &mut Memory) -> Result<(), RunError> {
+        let Some(dict) = self.held.memory.clone() else { return Ok(()) };
         let (scene, at, ours) = (self.scene.clone(), self.held.at.clone(), self.watch.ours(memory));
         let (snapshot, history) = (view.snapshot.clone(), view.history.octets.to_vec());
         let kept = self.watch.ask(move |watch, py| {
             let look = Look::new(scene, snapshot, history, stage, Some(dict.clone_ref(py)));
             watch.see(py, look, &at, &dict, &ours)
         });
-        if let Some(kept) = kept {
-            memory.retain(|name, _| !name.starts_with(&self.watch.prefix));
-            memory.extend(kept);
-        }
+        let Some((kept, rows)) = kept else { return Ok(()) };
+        memory.retain(|name, _| !name.starts_with(&self.watch.prefix));
+        memory.extend(kept);
+        rows.iter().try_for_each(|row| add_row(&self.held.at.out, row, memory))
     }
 
     fn end(&self) {
@@ -303,10 +308,10 @@ impl Observer for Watcher {
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
         match event {
-            Event::Look(view) => self.look(view, None, memory),
+            Event::Look(view) => self.look(view, None, memory)?,
             Event::StageEnds(seen) => {
                 let name = seen.view.plan.stages[seen.stage].name.clone();
-                self.look(&seen.view, Some(name), memory);
+                self.look(&seen.view, Some(name), memory)?;
             }
             Event::End { .. } => self.end(),
             _ => {}

@@ -1,6 +1,7 @@
 """Result folders, read."""
 
 import copy
+import math
 import pickle
 
 import pytest
@@ -100,3 +101,15 @@ def test_pages_and_comparisons(result, tmp_path):
 
 def test_records_are_copied_and_sent_to_other_processes(result):
     assert copy.copy(result.summary).verdict == pickle.loads(pickle.dumps(result.summary)).verdict == result.verdict
+
+
+def test_names_that_look_like_numbers_stay_names(tmp_path, result):
+    import shutil
+
+    folder = tmp_path / "a"
+    shutil.copytree(result.path, folder)
+    (folder / "bolts.csv").write_text("bolt,name,x [m],stage,lives\n1,nan,1e-3,1_0,3\n2,infinity,NaN,7,\n3,12,inf,6,4\n4,1")
+    rows = tr.Result(folder).rows("bolts")
+    assert [row["name"] for row in rows] == ["nan", "infinity", "12"] and [row["stage"] for row in rows] == ["1_0", "7", "6"]
+    assert rows[0]["x"] == 1e-3 and math.isnan(rows[1]["x"]) and rows[2]["x"] == math.inf and math.isnan(rows[1]["lives"])
+    assert tr.Result(folder).units_of("bolts")["x"] == "m"

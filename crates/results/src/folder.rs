@@ -191,6 +191,7 @@ impl ResultFolder {
             (self.stage_fields(), "vtu"),
             (self.bolt_fields(), "vtu"),
             (self.figures(), "svg"),
+            (self.own_tables(), "csv"),
         ] {
             let Ok(entries) = fs::read_dir(&folder) else { continue };
             for entry in entries.flatten().filter(|e| e.path().extension().is_some_and(|x| x == extension)) {
@@ -293,6 +294,11 @@ impl ResultFolder {
     /// The folder of its files.
     pub fn stage_fields(&self) -> PathBuf {
         self.root.join("stages")
+    }
+
+    /// `own/`: tables that a user's program adds, see [`crate::own_table`].
+    pub fn own_tables(&self) -> PathBuf {
+        self.root.join("own")
     }
 
     /// `relaxation.csv`: how stages came to rest, every so many cycles.

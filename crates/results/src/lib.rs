@@ -18,6 +18,7 @@
 //! | `sections.csv` | [`sections`] | thrust, moment and shear of linings |
 //! | `utilisation.csv` | [`utilisation`] | what sections of linings use of their strength |
 //! | `bolts.csv` | [`bolts`] | forces, slip and state of bolts, a row a bolt and time |
+//! | `own/*.csv` | [`own_table`] | tables that a user's program adds |
 //! | `fields.pvd`, `interfaces.pvd`, `stages.pvd`, `bolts.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/`, `stages/` and `bolts/` |
 //! | `fields/*.vtu` | [`fields`], [`cut`], [`mod@slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
@@ -45,6 +46,7 @@ pub mod hexahedron;
 pub mod interface;
 pub mod materials;
 pub mod number;
+pub mod own_table;
 pub mod peaks;
 pub mod pvd;
 mod replace;

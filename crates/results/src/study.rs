@@ -135,7 +135,10 @@ pub struct OverRecords {
 #[serde(default)]
 pub struct Tornado {
     pub measure: String,
-    /// Of the case as it is.
+    /// The run that the others stand beside, where there are several such; else empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub beside: String,
+    /// Of that run, or of the case as it is.
     pub base: f64,
     /// The widest first.
     pub bars: Vec<TornadoBar>,
@@ -228,6 +231,16 @@ pub struct Share {
     pub intensity: f64,
     pub exceeded: usize,
     pub of: usize,
+    /// Of rising levels that are not all run as high: the probability by the product limit, which counts a series up to where it was run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probability: Option<f64>,
+}
+
+impl Share {
+    /// The probability that it says.
+    pub fn probability(&self) -> f64 {
+        self.probability.unwrap_or(self.exceeded as f64 / self.of.max(1) as f64)
+    }
 }
 
 impl Study {

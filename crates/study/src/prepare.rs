@@ -23,7 +23,15 @@ pub fn base(study: &StudyFile, laws: Laws<'_>) -> Result<Case, Report> {
         let remedy = format!("paths start from the folder of the study; looked for {}", path.display());
         return Err(study.report(vec![Diagnostic::at(&study.case, message, remedy)]));
     }
-    let written = Case::read(&path, laws)?;
+    let written =
+        Case::parse_in(&path, path.parent().unwrap_or(Path::new("")), &Case::text_of(&path)?, &[], laws)?;
+    // Records in place of the case's own: those need not be there.
+    let own = written.motion.as_ref().filter(|_| !study.records.is_empty());
+    let replaced: Vec<PathBuf> = own.into_iter().flat_map(|m| m.files()).map(|f| f.value.clone()).collect();
+    let missing = written.missing_files(|file| replaced.iter().any(|own| own == file));
+    if !missing.is_empty() {
+        return Err(written.report(missing));
+    }
     let set: Vec<Placed> =
         study.set.iter().map(|s| placed(&s.path.value, &s.value, s.path.span.clone())).collect();
     changed(study, &written, &set, laws)

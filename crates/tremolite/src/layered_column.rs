@@ -16,6 +16,8 @@
 //! frequencies lie beside the imaginary axis, s = η + iω, which is the transform of v e^(−ηt): what comes round again is smaller
 //! by e^(−ηT), whatever the damping (`kausel1992`).
 
+mod slope;
+
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use tremolite_engine::problem::Rayleigh;
@@ -212,7 +214,7 @@ struct Waves {
 }
 
 /// An incident wave that is faded out behind a run and damped by e^(−ηt).
-struct Train {
+pub(crate) struct Train {
     wave: Vec<f64>,
     dt: f64,
     eta: f64,
@@ -221,7 +223,7 @@ struct Train {
 }
 
 impl Train {
-    fn of(incident: impl Fn(f64) -> f64, dt: f64, duration: f64) -> Train {
+    pub(crate) fn of(incident: impl Fn(f64) -> f64, dt: f64, duration: f64) -> Train {
         let wanted = (duration / dt).ceil() as usize + 2;
         let count = (2 * wanted).next_power_of_two();
         let span = count as f64 * dt;
@@ -235,7 +237,7 @@ impl Train {
     }
 
     /// What a transfer function of a complex frequency \[1/s\] makes of it; empty for a wave that is zero.
-    fn through(&self, factor: &dyn Fn(Complex64) -> Complex64) -> Vec<f64> {
+    pub(crate) fn through(&self, factor: &dyn Fn(Complex64) -> Complex64) -> Vec<f64> {
         let Train { wave, dt, eta, wanted } = self;
         if wave.iter().all(|v| *v == 0.0) {
             return Vec::new();

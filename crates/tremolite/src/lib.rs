@@ -8,6 +8,7 @@ pub mod checkpoint;
 pub mod damage;
 pub mod deconvolution;
 pub mod disk;
+pub mod equivalent_linear;
 pub mod error;
 pub mod evidence;
 mod fingerprint;

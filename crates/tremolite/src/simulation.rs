@@ -16,7 +16,7 @@ use crate::checkpoint;
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::levels::{levels, longest_step};
-use crate::observers::{Audience, Event, OwnObservers, Setting, observers};
+use crate::observers::{Audience, Event, OwnObservers, Setting, forget_own_tables, observers};
 use crate::plan::{Plan, Steps};
 use shaking::Shaking;
 use std::sync::Arc;
@@ -215,6 +215,9 @@ impl Simulation {
         self.state = self.at_rest();
         checkpoint::read_hand_over(&folder.checkpoint(), &mut self.state, self.fingerprint)?;
         self.state.dt = self.dt;
+        if folder.root() != self.folder.root() {
+            forget_own_tables(&mut self.state.observers);
+        }
         self.take_stages()
     }
 

@@ -14,6 +14,7 @@ use queue::Queue;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use tremolite_case::Report;
 use tremolite_case::study::{SampleKind, StudyFile};
 use tremolite_results::replace_file;
 use tremolite_results::study::{RunStatus, Study};
@@ -80,11 +81,35 @@ impl Retry {
     }
 }
 
-pub fn run(args: &Args) -> Outcome {
-    let mut study = StudyFile::read(&args.study).map_err(|report| Failure::case(&report))?;
+/// A study that is checked whole.
+struct Read {
+    study: StudyFile,
+    plan: Plan,
+    planned: Vec<Planned>,
+}
+
+/// Plans a study and checks the case of every run; its language is then known.
+fn read(mut study: StudyFile) -> Result<Read, Report> {
     let table = table(&study)?;
-    let plan =
-        Plan::of(&study, table.as_deref()).map_err(|problems| Failure::case(&study.report(problems)))?;
+    let plan = Plan::of(&study, table.as_deref()).map_err(|problems| study.report(problems))?;
+    let (planned, language) = planned::of(&study, &plan)?;
+    study.language.get_or_insert(language);
+    Ok(Read { study, plan, planned })
+}
+
+/// The plan of a study as `--list` prints it, of its text; `path` is where it stands or will stand, from which it names files.
+///
+/// # Errors
+/// Everything that study or the case of a run is refused for, at its place in the study or the case.
+pub fn plan(path: &Path, text: &str) -> Result<String, Report> {
+    let Read { study, plan, planned } = read(StudyFile::parse(path, text)?)?;
+    let all: Vec<usize> = (0..plan.runs.len()).collect();
+    Ok(tables::plan(&study, &plan, &planned, &all))
+}
+
+pub fn run(args: &Args) -> Outcome {
+    let study = StudyFile::read(&args.study).map_err(|report| Failure::case(&report))?;
+    let Read { study, plan, planned } = read(study).map_err(|report| Failure::case(&report))?;
     let shard = args.shard.as_deref().map(shard).transpose()?;
     let mut chosen = match shard {
         Some((k, of)) => plan.shard(k - 1, of),
@@ -94,10 +119,7 @@ pub fn run(args: &Args) -> Outcome {
         let only = only(&plan, word)?;
         chosen.retain(|run| only.contains(run));
     }
-    let (planned, language) = planned::of(&study, &plan)?;
-    study.language.get_or_insert(language);
     if args.list {
-        let chosen: Vec<usize> = chosen.clone();
         print(tables::plan(&study, &plan, &planned, &chosen).trim_end());
         return Ok(Code::Done);
     }
@@ -181,7 +203,7 @@ fn out(args: &Args) -> PathBuf {
 }
 
 /// The text of the table that samples stand in.
-fn table(study: &StudyFile) -> Result<Option<String>, Failure> {
+fn table(study: &StudyFile) -> Result<Option<String>, Report> {
     let Some(sample) = study.sample.as_ref().filter(|s| s.kind.value == SampleKind::Table) else {
         return Ok(None);
     };
@@ -190,7 +212,7 @@ fn table(study: &StudyFile) -> Result<Option<String>, Failure> {
     std::fs::read_to_string(&path).map(Some).map_err(|e| {
         let remedy = format!("paths start from the folder of the study; looked for {}", path.display());
         let problem = tremolite_case::Diagnostic::at(file, format!("{}: {e}", file.value.display()), remedy);
-        Failure::case(&study.report(vec![problem]))
+        study.report(vec![problem])
     })
 }
 

@@ -20,6 +20,9 @@ from ._mesh import Mesh
 from ._motion import Channel, Motion
 from ._own import NodalForce, Observer
 from ._results import Result, compare
+from ._soft_ground import soft_ground
+from ._study import Study
+from ._study_result import Curve, StudyResult, StudyTable
 from ._tables import Table
 from ._tremolite import (
     Beginning,
@@ -46,6 +49,7 @@ __all__ = [
     "CaseError",
     "CaseWarning",
     "Channel",
+    "Curve",
     "Error",
     "Field",
     "FieldFile",
@@ -66,6 +70,9 @@ __all__ = [
     "Simulation",
     "StageEnd",
     "Stopped",
+    "Study",
+    "StudyResult",
+    "StudyTable",
     "Table",
     "Target",
     "__version__",
@@ -74,4 +81,5 @@ __all__ = [
     "compare",
     "law",
     "select",
+    "soft_ground",
 ]

@@ -5,14 +5,14 @@ from __future__ import annotations
 import csv
 import json
 import os
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from ._fields import Fields
 from ._record import Record, Trust
-from ._tables import Monitors, Table
+from ._rows import heads, rows
+from ._tables import Monitors, OwnTables, Table
 from ._tremolite import Error, check_folder, write_comparison, write_page
 
 
@@ -68,9 +68,11 @@ class Result:
         """A table of numbers by its name: "monitors", "energy", "damage", "interfaces", "motion", "spectra", "depth", "free_field" ..."""
         path = self.path / f"{name}.csv"
         if not path.exists():
-            there = ", ".join(sorted(one.stem for one in self.path.glob("*.csv"))) or "none"
-            raise Error(f"{self.path} has no {name}.csv; there are {there}")
+            raise Error(f"{self.path} has no {name}.csv; there are {self._tables()}")
         return Table.read(path)
+
+    def _tables(self) -> str:
+        return ", ".join(sorted(one.stem for one in self.path.glob("*.csv"))) or "none"
 
     @property
     def monitors(self) -> Monitors:
@@ -94,17 +96,24 @@ class Result:
 
     def rows(self, name: str) -> list[dict[str, Any]]:
         """A table with words in it, a dict a row: "stages", "sections", "bolts". Numbers are float; units stand in `units_of(name)`."""
-        with open(self.path / f"{name}.csv", newline="", encoding="utf-8") as file:
-            lines = csv.reader(file)
-            heads = [_HEAD.fullmatch(head.strip()) for head in next(lines)]
-            names = [head.group(1) if head else "" for head in heads]
-            return [dict(zip(names, map(_number, line), strict=False)) for line in lines]
+        return rows(self._lines(name), _WORDS.get(name, ("name",)))
 
     def units_of(self, name: str) -> dict[str, str]:
         """Units of the columns of a table, by name."""
-        with open(self.path / f"{name}.csv", newline="", encoding="utf-8") as file:
-            heads = [_HEAD.fullmatch(head.strip()) for head in next(csv.reader(file))]
-        return {head.group(1): head.group(2) or "" for head in heads if head}
+        return heads(self._lines(name)[0])
+
+    def _lines(self, name: str) -> list[list[str]]:
+        path = self.path / f"{name}.csv"
+        if not path.exists():
+            raise Error(f"{self.path} has no {name}.csv; there are {self._tables()}")
+        text = path.read_text(encoding="utf-8")
+        # A line that is being written may lack digits.
+        return list(csv.reader(text[: text.rfind("\n") + 1].splitlines(keepends=True)))
+
+    @property
+    def own(self) -> OwnTables:
+        """The tables that the script's callbacks and observers recorded, by their names: `result.own["roof"].u`."""
+        return OwnTables(self.path / "own")
 
     @property
     def fields(self) -> Fields:
@@ -145,11 +154,6 @@ def compare(results: Sequence[Result | str | os.PathLike[str]], page: str | os.P
     return Path(page)
 
 
-_HEAD = re.compile(r"([^\[]*?)\s*(?:\[(.*)\])?")
 
-
-def _number(text: str) -> Any:
-    try:
-        return float(text)
-    except ValueError:
-        return text
+#: Columns that hold words, whatever they look like, by table.
+_WORDS = {"bolts": ("name", "state", "stage"), "sections": ("lining", "when"), "utilisation": ("lining", "when")}

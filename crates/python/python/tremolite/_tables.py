@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -115,3 +116,25 @@ class Monitors(Mapping[str, Table]):
 
     def __repr__(self) -> str:
         return f"<monitors {', '.join(self)}>"
+
+
+class OwnTables(Mapping[str, Table]):
+    """Tables that a script recorded, by their names."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def __getitem__(self, name: str) -> Table:
+        path = self._folder / f"{name}.csv"
+        if not path.is_file():
+            raise KeyError(f"no table is called {name!r}; there are {', '.join(self) or 'none'}")
+        return Table.read(path)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(sorted(path.stem for path in self._folder.glob("*.csv")))
+
+    def __len__(self) -> int:
+        return len(list(iter(self)))
+
+    def __repr__(self) -> str:
+        return f"<own tables {', '.join(self) or 'none'}>"

@@ -85,7 +85,7 @@ impl Simulation {
             return Err(raised);
         }
         let simulation = back.result.map_err(|why| refused(&why))?;
-        let held = Held { simulation, begun, caller, stage_seconds: 0.0, ending: None };
+        let held = Held { simulation, begun, caller, stage_seconds: 0.0, ending: None, outcome: None };
         let out = folder.root().to_owned();
         Ok(Simulation {
             made: Mutex::new(made.clone()),

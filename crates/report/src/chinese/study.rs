@@ -133,6 +133,11 @@ pub const TEXTS: Texts = &[
         "斯皮尔曼秩相关系数 {rank}，共 {runs} 次计算，在每条记录和每级水平之内统计。",
     ),
     ("{measure}: what each key changes", "{measure}：各参数的影响"),
+    ("{measure}: what each key changes of {base}", "{measure}：各参数对“{base}”的影响"),
+    (
+        "{measure} of {base}: {value}; at the ends of a bar the values of its key.",
+        "“{base}”的 {measure}：{value}；条形两端为该参数的取值。",
+    ),
     (
         "Bars of the results at the values of each key, the widest first.",
         "各参数取值下结果的变化范围，最宽者在前。",

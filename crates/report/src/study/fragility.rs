@@ -16,8 +16,7 @@ pub fn figures(study: &Study, language: Language) -> Vec<Figure> {
 
 fn figure(study: &Study, language: Language, number: usize, f: &StudyFragility) -> Figure {
     let title = limit(study, f, language);
-    let shares: Vec<(f64, f64)> =
-        f.shares.iter().map(|s| (s.intensity, s.exceeded as f64 / s.of.max(1) as f64)).collect();
+    let shares: Vec<(f64, f64)> = f.shares.iter().map(|s| (s.intensity, s.probability())).collect();
     let mut curves = Vec::new();
     if let Some(fit) = &f.fit {
         let name = say!(

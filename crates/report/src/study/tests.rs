@@ -33,6 +33,7 @@ fn sample() -> Study {
         runs: (1..=4).map(run).collect(),
         tornados: vec![Tornado {
             measure: "cracked".into(),
+            beside: String::new(),
             base: 0.2,
             bars: vec![TornadoBar {
                 name: "initial.lateral".into(),
@@ -66,8 +67,8 @@ fn sample() -> Study {
                     ..StudyBounds::default()
                 }),
                 shares: vec![
-                    Share { intensity: 0.1, exceeded: 0, of: 1 },
-                    Share { intensity: 0.4, exceeded: 1, of: 1 },
+                    Share { intensity: 0.1, exceeded: 0, of: 1, probability: None },
+                    Share { intensity: 0.4, exceeded: 1, of: 1, probability: None },
                 ],
                 counted: 4,
                 exceeded: 2,

@@ -216,18 +216,35 @@ fn stripes(seen: &[Seen]) -> Vec<Share> {
                 share.of += 1;
                 share.exceeded += usize::from(s.exceeded);
             }
-            None => shares.push(Share { intensity: s.intensity, exceeded: usize::from(s.exceeded), of: 1 }),
+            None => shares.push(Share {
+                intensity: s.intensity,
+                exceeded: usize::from(s.exceeded),
+                of: 1,
+                probability: None,
+            }),
         }
     }
     shares.sort_by(|a, b| a.intensity.total_cmp(&b.intensity));
     shares
 }
 
-/// The share of all chains that are beyond the limit up to each intensity at which one is.
+/// The share of all chains that are beyond the limit up to each intensity at which one is; where some were not run so high and hold until
+/// then, by the product limit (`kaplan1958`), since nobody knows of them further up.
 fn cumulated(risen: &[Risen]) -> Vec<Share> {
     let mut at: Vec<f64> = risen.iter().filter(|r| r.exceeded).map(|r| r.intensity).collect();
     at.sort_by(f64::total_cmp);
-    at.iter().enumerate().map(|(k, x)| Share { intensity: *x, exceeded: k + 1, of: risen.len() }).collect()
+    let (mut hold, mut left) = (1.0, false);
+    let mut shares = Vec::new();
+    for (k, &intensity) in at.iter().enumerate() {
+        // Those that go through here, and those that were run up to here and hold.
+        let known = (at.len() - k) + risen.iter().filter(|r| !r.exceeded && r.intensity >= intensity).count();
+        hold *= 1.0 - 1.0 / known as f64;
+        // Once one was left behind, all above differ from the plain share.
+        left |= known + k < risen.len();
+        let probability = left.then_some(1.0 - hold);
+        shares.push(Share { intensity, exceeded: k + 1, of: risen.len(), probability });
+    }
+    shares
 }
 
 /// Fits the curve, with its bounds.

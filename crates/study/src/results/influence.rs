@@ -7,16 +7,17 @@ use tremolite_results::study::{Influence, Study, StudyRun, Tornado, TornadoBar};
 
 use crate::matrix;
 
-/// Results of samples that stand beside another, by the keys that differ; one a measure.
+/// Results of samples that stand beside another, by the keys that differ; one a measure and sample that others stand beside.
 pub fn tornados(study: &Study) -> Vec<Tornado> {
-    if study.runs.iter().all(|run| run.beside.is_none()) {
-        return Vec::new();
-    }
     // Of several records and levels the first is shown.
     let first = study.runs.first();
     let shown = |run: &&StudyRun| first.is_some_and(|f| f.record == run.record && f.level == run.level);
-    let of = |k: usize| -> Option<Tornado> {
-        let base = study.runs.iter().filter(shown).find(|run| run.beside.is_none())?;
+    let mut bases: Vec<usize> = study.runs.iter().filter_map(|run| run.beside).collect();
+    bases.sort_unstable();
+    bases.dedup();
+    let several = bases.len() > 1;
+    let of = |k: usize, base: usize| -> Option<Tornado> {
+        let base = study.runs.iter().filter(shown).find(|run| run.sample == base)?;
         let at_base = base.measures[k]?;
         let mut bars: Vec<TornadoBar> = Vec::new();
         for run in study.runs.iter().filter(shown).filter(|run| run.beside == Some(base.sample)) {
@@ -36,9 +37,12 @@ pub fn tornados(study: &Study) -> Vec<Tornado> {
         }
         bars.sort_by(|a, b| (b.high.1 - b.low.1).total_cmp(&(a.high.1 - a.low.1)));
         let measure = study.measures[k].name.clone();
-        (!bars.is_empty()).then_some(Tornado { measure, base: at_base, bars })
+        let beside = if several { base.title.clone() } else { String::new() };
+        (!bars.is_empty()).then_some(Tornado { measure, beside, base: at_base, bars })
     };
-    (0..study.measures.len()).filter_map(of).collect()
+    (0..study.measures.len())
+        .flat_map(|k| bases.iter().filter_map(|base| of(k, *base)).collect::<Vec<_>>())
+        .collect()
 }
 
 /// The key that a run changes, and its value; the run's own title where it changes several.

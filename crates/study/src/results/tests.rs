@@ -134,6 +134,32 @@ fn rising_levels_end_where_the_limit_is_and_are_interpolated() {
     let at: Vec<f64> = fragility.shares.iter().map(|s| s.intensity).collect();
     assert!((at[0] - 0.125).abs() < 1e-12 && (at[1] - 0.25).abs() < 1e-12, "{at:?}");
     assert!(fragility.shares.iter().all(|s| s.of == 3) && fragility.fit.is_some());
+    // All were run beyond where two go through: plain shares.
+    assert!(fragility.shares.iter().all(|s| s.probability.is_none()));
+}
+
+#[test]
+fn series_that_were_not_run_so_high_count_up_to_where_they_were() {
+    let text = STUDY
+        .replace(
+            "levels = [\"0.1 g\", \"0.2 g\", \"0.3 g\", \"0.4 g\"]",
+            "ida = { first = \"0.1 g\", step = \"0.1 g\", most = 4, until = \"m\", above = 0.5 }",
+        )
+        .replace("above = [0.5, 10.0]", "above = 0.5");
+    // 0.5 is passed at 0.15 and 0.35 g; the third holds at 0.1 and 0.2 g, and is lost above.
+    let result = |record: usize, level: usize| match (record, level) {
+        (0, level) => Ok(level as f64),
+        (1, level) => Ok(0.4 * level as f64 - 0.5),
+        (_, 0 | 1) => Ok(0.1),
+        _ => Err("missing"),
+    };
+    let (found, _) = with(&text, result);
+    let shares: Vec<(f64, usize, f64)> =
+        found.fragilities[0].shares.iter().map(|s| (s.intensity, s.exceeded, s.probability())).collect();
+    // 1 - 2/3, then 1 - 2/3 · 0: above 0.2 g one series alone is known, and it goes through.
+    assert_eq!(shares.len(), 2, "{shares:?}");
+    assert!((shares[0].0 - 0.15).abs() < 1e-12 && (shares[0].2 - 1.0 / 3.0).abs() < 1e-12, "{shares:?}");
+    assert!((shares[1].0 - 0.35).abs() < 1e-12 && (shares[1].2 - 1.0).abs() < 1e-12, "{shares:?}");
 }
 
 #[test]
@@ -163,4 +189,29 @@ fn one_at_a_time_gives_bars_the_widest_first() {
         .map(|b| (b.name.as_str(), b.low.0.as_str(), b.low.1, b.high.0.as_str(), b.high.1))
         .collect();
     assert_eq!(bars, [("b", "as it is", 1.0, "3 m", 4.0), ("a", "2", 0.5, "1", 1.5)]);
+}
+
+#[test]
+fn every_row_that_others_stand_beside_has_bars_of_its_own() {
+    let text = "title = \"t\"\ncase = \"c\"\n[[row]]\nname = \"a\"\n[[row]]\nname = \"b\"\nset = { x = 1 }\n[[row]]\nname = \"a2\"\nset = { y = 2 }\nbeside = \"a\"\n\
+        [[row]]\nname = \"b2\"\nset = { x = 1, y = 2 }\nbeside = \"b\"\n[measure]\nm = { summary = \"x\" }\n";
+    let study = StudyFile::parse(Path::new("study.toml"), text).unwrap();
+    let plan = Plan::of(&study, None).unwrap();
+    let out = tempfile::tempdir().unwrap();
+    let prepared: Vec<Prepared> = plan
+        .runs
+        .iter()
+        .map(|r| Prepared { bare: r.name.clone(), factor: None, intensities: vec![None; 2] })
+        .collect();
+    for (run, x) in plan.runs.iter().zip([1.0, 10.0, 2.0, 30.0]) {
+        let folder = RunFolder::new(out.path(), &run.name);
+        fs::create_dir_all(folder.results()).unwrap();
+        fs::write(folder.bare(), &run.name).unwrap();
+        fs::write(folder.results().join("summary.json"), format!("{{\"status\": \"done\", \"x\": {x}}}"))
+            .unwrap();
+    }
+    let (found, _) = gather(&study, &plan, &prepared, out.path());
+    let bars: Vec<(&str, f64, f64)> =
+        found.tornados.iter().map(|t| (t.beside.as_str(), t.bars[0].low.1, t.bars[0].high.1)).collect();
+    assert_eq!(bars, [("a", 1.0, 2.0), ("b", 10.0, 30.0)]);
 }

@@ -15,6 +15,7 @@ mod histories;
 mod interfaces;
 mod observer;
 mod onsets;
+mod own_tables;
 pub mod recorded;
 mod ringing;
 mod rows;
@@ -43,6 +44,8 @@ pub use observer::{
     Wants, Which,
 };
 pub use onsets::{Onsets, memory_key as onset_memory};
+pub use own_tables::add_row;
+pub(crate) use own_tables::forget as forget_own_tables;
 pub use ringing::{Ringing, Rings};
 pub use rows::{Cell, Seen, cells};
 pub use section_forces::{SectionForces, SectionTable};
@@ -109,5 +112,7 @@ pub fn observers() -> OwnObservers {
     let of_shaking = OF_SHAKING.iter().map(|&make| -> Arc<MakeObserver> {
         Arc::new(move |setting: &Setting| if setting.shakes() { make(setting) } else { Ok(None) })
     });
-    of_stages.chain(of_shaking).collect()
+    // Whoever goes on with a run, also without the program that adds to them.
+    let own: Arc<MakeObserver> = Arc::new(|setting: &Setting| own_tables::cut_back(setting).map(|()| None));
+    std::iter::once(own).chain(of_stages).chain(of_shaking).collect()
 }

@@ -292,11 +292,12 @@ impl Simulation {
         Ok(written?)
     }
 
-    /// Ends the simulation where it stands: writes what is written at the end, and says what is known of the run.
+    /// Ends the simulation where it stands: writes what is written at the end, and says what is known of the run. Nothing goes on behind it but
+    /// from a checkpoint.
     ///
     /// # Errors
-    /// If a file cannot be written.
-    pub fn finish(mut self, ending: Ending, stage_seconds: f64) -> Result<Outcome, RunError> {
+    /// If a file cannot be written; it may then be called again, once there is room on the disk.
+    pub fn finish(&mut self, ending: Ending, stage_seconds: f64) -> Result<Outcome, RunError> {
         if self.shaking.is_none() && self.state.steps() > 0 {
             self.shaking = Some(self.begin()?);
         }
@@ -312,19 +313,20 @@ impl Simulation {
         }
         let mut state = std::mem::take(&mut self.state);
         self.whole(&mut state, To::First);
-        let Simulation { model, plan, shaking, steps, dt, stable, .. } = self;
+        let shaking = self.shaking.take();
+        let Simulation { model, plan, steps, dt, stable, .. } = &*self;
         let taken = if shaking.is_some() { state.steps() } else { 0 };
         let seconds = |of: fn(&Shaking) -> Duration| shaking.as_ref().map_or(0.0, |s| of(s).as_secs_f64());
         Ok(Outcome {
             ending,
-            steps,
+            steps: *steps,
             taken,
             taken_here: taken - shaking.as_ref().map_or(0, |shaking| shaking.first),
-            dt,
-            stable,
+            dt: *dt,
+            stable: stable.clone(),
             loop_seconds: seconds(|shaking| shaking.spent),
             step_seconds: seconds(|shaking| shaking.spent.saturating_sub(shaking.looking)),
-            stages: summaries(&model, &plan, &state.observers),
+            stages: summaries(model, plan, &state.observers),
             shaken: shaking.is_some(),
             stage_seconds,
             quiet: state.observers.get(DRIFT).and_then(|drift| drift.first().copied()),

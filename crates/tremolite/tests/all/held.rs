@@ -142,7 +142,7 @@ fn however_it_is_driven_a_simulation_writes_the_bytes_of_a_run() {
             left[k] &= pools[k].install(|| one.step(3 + 8 * k as u64).unwrap()) == Stepping::On;
         }
     }
-    for (one, name) in pair.into_iter().zip(["first", "second"]) {
+    for (mut one, name) in pair.into_iter().zip(["first", "second"]) {
         one.finish(Ending::Done, 0.0).unwrap();
         assert_same(&folder("whole"), &folder(name), name);
     }

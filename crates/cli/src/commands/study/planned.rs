@@ -1,7 +1,6 @@
 //! The cases of all runs, checked before the first of them is run.
 
 use crate::commands::infos;
-use crate::exit::Failure;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use tremolite::setup::{hash, motion_of};
@@ -28,11 +27,11 @@ pub struct Planned {
 ///
 /// # Errors
 /// Everything that one of their cases is refused for, at its place in the study.
-pub fn of(study: &StudyFile, plan: &Plan) -> Result<(Vec<Planned>, Language), Failure> {
+pub fn of(study: &StudyFile, plan: &Plan) -> Result<(Vec<Planned>, Language), Report> {
     let materials = infos();
     let laws = Laws::from(&materials);
-    let base = prepare::base(study, laws).map_err(|report| Failure::case(&report))?;
-    let target = prepare::target(study).map_err(|report| Failure::case(&report))?;
+    let base = prepare::base(study, laws)?;
+    let target = prepare::target(study)?;
     let mut maker = Maker {
         study,
         plan,
@@ -64,7 +63,7 @@ pub fn of(study: &StudyFile, plan: &Plan) -> Result<(Vec<Planned>, Language), Fa
     }
     let mut told = BTreeSet::new();
     maker.problems.retain(|p| told.insert((p.span.start, p.message.clone())));
-    Err(Failure::case(&study.report(maker.problems)))
+    Err(study.report(maker.problems))
 }
 
 /// A case with its record at its own strength, and each measure of intensity of it.

@@ -203,7 +203,8 @@ impl Staged {
                             stage.name.value,
                             name(mesh, e)
                         ),
-                        "excavate what is beside it first, or in the same stage",
+                        "excavate what is beside it first, or in the same stage; where that is done, it shares no face with what goes: see \
+                         with `tremolite mesh info` whether nodes lie twice there, and merge them",
                     ));
                 }
                 continue;
