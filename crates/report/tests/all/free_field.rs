@@ -309,7 +309,7 @@ fn the_error_that_is_drawn_and_that_of_the_check_are_told_apart() {
     let told = "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check of the \
                 balance leaves that out";
     assert!(!page().contains("It holds ⅛Δt²aᵀMa"));
-    let name = || said!("energy error over the largest energy held");
+    let name = || said!("energy error over the largest energy in the model");
     for (line, wanted) in [
         (TrustLine::at_most("energy_error", name(), 1e-9, 5e-4, ""), true),
         (TrustLine::not_applicable("energy_error", name(), said!("nothing moves")), false),
