@@ -223,7 +223,7 @@ fn the_verdict_answers_in_five_lines_with_the_numbers_of_the_summary() {
     let page = fs::read_to_string(write(folder.root()).unwrap()).unwrap();
     let (_, lines) = verdict(&page);
     assert!(lines.len() <= 5, "{lines:?}");
-    assert!(lines.iter().any(|line| line.starts_with("4 further structures")), "{lines:?}");
+    assert!(lines.iter().any(|line| line.starts_with("4 more structures")), "{lines:?}");
     assert!(lines[1].starts_with("hall.bench1"), "the worst first: {lines:?}");
 }
 
