@@ -234,7 +234,7 @@ fn the_crack_that_is_left_is_that_of_the_forces_at_the_end() {
     };
     let exact = at(of("lining").thickness, forces);
     // The bars' lever is that of a chord.
-    assert!(width > 1e-5 && (width / exact.width - 1.0).abs() < 0.03, "{width} {exact:?}");
+    assert!(width > 1e-6 && (width / exact.width - 1.0).abs() < 0.03, "{width} {exact:?}");
     assert!((number(&crack["stress"]) / exact.stress - 1.0).abs() < 0.03, "{exact:?}");
     case(folder, &format!("{STEEL}{SECTION}"));
     assert_eq!(code(&run(folder, "none", &[])), 0);
