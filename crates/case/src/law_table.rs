@@ -16,7 +16,7 @@ use crate::{Diagnostic, suggest};
 const LEAST_STIFFNESS: f64 = 1e6;
 
 /// A stiffness \[Pa/m\] and pressure \[Pa\] with which a law is asked about values that leave its own to be chosen.
-const CHOICE: Choice = Choice { stiffness: 1e15, pressure: 10e6 };
+const CHOICE: Choice = Choice { stiffness: 1e15, least: 0.0, pressure: 10e6 };
 
 /// What may stand in a table that names a law.
 pub(crate) struct LawTable<'a> {

@@ -78,6 +78,12 @@ pub(crate) static SECTION: Table = Table {
             "1",
             "By which strengths of concrete are multiplied while the ground shakes",
         ),
+        Key::optional(
+            "bar_diameter",
+            Kind::Number(Dimension::LENGTH, Limit::Positive),
+            "no crack widths of sections with bars",
+            "Diameter of the bars, by which the widths of the cracks that the earthquake leaves are computed (EN 1992-1-1 7.3.4)",
+        ),
         Key::default(
             "plain_tension",
             Kind::Flag,
@@ -114,6 +120,8 @@ pub struct Section {
     pub alpha_ct: f64,
     pub gamma_d: f64,
     pub dynamic: f64,
+    /// Of the bars, m; nothing: no crack widths.
+    pub bar_diameter: Option<Spanned<f64>>,
     pub plain_tension: bool,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
@@ -138,6 +146,7 @@ impl Section {
             alpha_ct: number("alpha_ct")?,
             gamma_d: number("gamma_d")?,
             dynamic: number("dynamic")?,
+            bar_diameter: f.number("bar_diameter"),
             plain_tension: f.flag("plain_tension")?,
             span: f.span.clone(),
         })

@@ -5,14 +5,16 @@
 //! alone says. Explicit contact gains or loses energy at each impact; with a dashpot of 1 % of critical it loses on the whole
 //! up to ω_cΔt = 0.8, which bounds the step ([`Interface::limit`](crate::interface::Interface)).
 //!
-//! **Stiffness left out.** It is what keeps that limit at the step that the elements alone allow: impacts then do not set the
-//! step. In K its pairs still take a few per cent of it, and a shear stiffness that is given may take more.
+//! **Stiffness left out.** It is what keeps that limit at the step that the elements alone allow, so that impacts do not set the
+//! step; in K its pairs still take a few per cent of it, and a shear stiffness that is given may take more. But it is no softer than ten
+//! times the elements beside it ([`give`](crate::give)), at the price of a shorter step, where the step is not given.
 
 use crate::assembly::Assembly;
 use crate::bolting;
 use crate::contacts::{Contacts, LoadedPair};
 use crate::engine::stable_step;
 use crate::error::ModelError;
+use crate::give::least_stiffness;
 use crate::interface::Seam;
 use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
@@ -215,7 +217,7 @@ fn beside_freed(seam: &Seam, pairs: &[u32]) -> Vec<u32> {
 
 /// A choice with which no law refuses what it would not refuse by itself.
 fn beyond(seam: &Seam) -> Choice {
-    Choice { stiffness: 1e15, pressure: seam.pressure }
+    Choice { stiffness: 1e15, least: 0.0, pressure: seam.pressure }
 }
 
 /// A chunk's nodes and its pairs on them.
@@ -250,15 +252,17 @@ const LEAST_SHARE: f64 = 0.1;
 
 /// The values of all interfaces, with what they leave to be chosen.
 fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses) -> Vec<Values> {
-    let fill = |seam: &Seam, stiffness: f64| {
-        (seam.law.info.chosen)(&seam.values, &Choice { stiffness, pressure: seam.pressure })
+    let fill_from = |seam: &Seam, stiffness: f64, least: f64| {
+        (seam.law.info.chosen)(&seam.values, &Choice { stiffness, least, pressure: seam.pressure })
     };
+    let fill = |seam: &Seam, stiffness: f64| fill_from(seam, stiffness, 0.0);
     // Whose stiffness is given, which the choice then leaves alone.
     let given: Vec<Option<f64>> = model
         .seams
         .iter()
         .map(|seam| {
-            let known = fill(seam, 1.0) == fill(seam, 2.0);
+            // Stiff enough that a pressure which is given does not hide the choice.
+            let known = fill(seam, 1e15) == fill(seam, 2e15);
             known.then(|| (seam.law.build)(&fill(seam, 1.0)).ok().map(|law| law.stiffest()[0])).flatten()
         })
         .collect();
@@ -288,5 +292,15 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
     for s in 0..model.seams.len() {
         stiffness[whose(s)] = stiffness[whose(s)].min(choose(s));
     }
-    model.seams.iter().enumerate().map(|(s, seam)| fill(seam, stiffness[whose(s)])).collect()
+    // A softer joint than this would keep the ground's motion from what lies behind it, so it rather shortens the step, which only what
+    // is near pays for; a step that is given stays.
+    let least = |s: usize| match step {
+        Some(_) => 0.0,
+        None => least_stiffness(model, &model.seams[s]),
+    };
+    let least: Vec<f64> = (0..model.seams.len())
+        .map(|s| if whose(s) == s && given[s].is_none() { least(s) } else { 0.0 })
+        .collect();
+    let fill = |(s, seam)| fill_from(seam, stiffness[whose(s)], least[whose(s)]);
+    model.seams.iter().enumerate().map(fill).collect()
 }

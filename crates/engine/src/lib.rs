@@ -19,6 +19,7 @@ pub mod error;
 pub mod exchange;
 pub mod extent;
 pub mod free_field;
+pub mod give;
 pub mod hexahedra;
 pub mod interface;
 mod level_finding;

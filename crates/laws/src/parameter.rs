@@ -276,6 +276,8 @@ pub const fn position(columns: &[Column], role: Role) -> Option<usize> {
 pub struct Choice {
     /// Normal stiffness \[Pa/m\] that no state should exceed.
     pub stiffness: f64,
+    /// Normal stiffness \[Pa/m\] that the closed, unloaded joint has at least, though some state then exceeds `stiffness`.
+    pub least: f64,
     /// Pressure \[Pa\] that is not expected to be exceeded: from there on a law may go straight.
     pub pressure: f64,
 }

@@ -120,8 +120,8 @@ fn beside_check(source: &Source) -> Option<String> {
     facts.soundness.trust.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable)?;
     Some(say!(
         source.language,
-        "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check of the balance leaves that out, so \
-         its number is another."
+        "The error drawn includes ⅛Δt²aᵀMa, a part of the scheme that shrinks with the step. The check of the energy balance, below, \
+         gives the error without it."
     ))
 }
 
@@ -213,13 +213,14 @@ pub fn section(source: &Source) -> Section {
         (Some(error), Some((worst, ratio))) => {
             let error = line("error", error, ERROR_COLOUR);
             panels.push(panel(source, say!(language, "error"), vec![error]));
-            said.push(say!(
-                language,
-                "The error is at most {worst}, {percent}\u{a0}% of the largest energy held, the sum of what motion, elements, interfaces and bolts hold at one time. Both are those of the rows of energy.csv.",
-                worst = source.quantity(Kind::Energy, worst),
-                percent = figures(100.0 * ratio, 2)
-            ));
-            said.extend(beside_check(source));
+            said.push(beside_check(source).unwrap_or_else(|| {
+                say!(
+                    language,
+                    "The error is at most {worst}, {percent}\u{a0}% of the largest energy held.",
+                    worst = source.quantity(Kind::Energy, worst),
+                    percent = figures(100.0 * ratio, 2)
+                )
+            }));
         }
         _ => said.push(say!(language, "{file} has no column {key}.", file = "energy.csv", key = "error")),
     }

@@ -84,7 +84,7 @@ fn rows(language: Language) -> [Wanted; 13] {
             let note = || {
                 say!(
                     language,
-                    "beyond {pressure}, from which on the law is straight",
+                    "above {pressure}, where the stiffness is constant",
                     pressure = trimmed(&source.quantity(Kind::Stress, from))
                 )
             };

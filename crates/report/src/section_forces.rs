@@ -1,6 +1,7 @@
 //! The chapter on section forces of linings: after the last stage, and between which values they went while the ground shook.
 
 mod along_lining;
+mod borders;
 mod on_shape;
 pub mod stations;
 mod strength;
@@ -66,7 +67,10 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         block.figures.extend(on_shape::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(along_lining::figure(language, lining, (y, &section), &suffix));
         block.figures.extend(thrust_moment::figure(language, lining, &section, &suffix));
-        match strength::figure(source, lining, &facts, &suffix) {
+        // By its code where one judges it, bars included; else as plain concrete.
+        let coded = facts.parts.sections.get(&lining.name).zip(judged);
+        let coded = coded.and_then(|(of, rows)| borders::figure(language, &lining.name, of, rows, &suffix));
+        match coded.map_or_else(|| strength::figure(source, lining, &facts, &suffix), Ok) {
             Ok(figure) => block.figures.push(figure),
             Err(why) => block.notes.push(why),
         }

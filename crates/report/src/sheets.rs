@@ -166,7 +166,7 @@ fn method(language: Language, summary: &Summary) -> Vec<String> {
         ),
         say!(
             language,
-            "How wide a single crack is goes by the mesh; pieces that come loose are not followed."
+            "The width of a single crack depends on the mesh; pieces that come loose are not followed."
         ),
     ];
     if summary.parts.sections.is_empty() {

@@ -56,7 +56,7 @@ pub fn verdict(source: &Source) -> Verdict {
         let next = lining(source, next);
         let text = say!(
             language,
-            "{count} further structures that fared no worse; of them {worst}",
+            "{count} more structures, none worse; of these {worst}",
             count = count,
             worst = next.text
         );
@@ -70,7 +70,7 @@ pub fn verdict(source: &Source) -> Verdict {
     let (class, answer) = answer(source, &linings, yielding(source, &facts));
     let question = match source.still() {
         Some(_) => say!(language, "Is the lining whole when the stages are done?"),
-        None => say!(language, "Does the lining stand?"),
+        None => say!(language, "Does the lining withstand the earthquake?"),
     };
     Verdict { question, answer, class, lines }
 }
@@ -156,7 +156,7 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
             ("warn", say!(language, "It is nowhere cracked, but has yielded. {yielded}", yielded = yielded))
         }
         (Status::Done, Some(Severity::Undamaged), _) if summary.warnings() > 0 || summary.judged() == 0 => {
-            ("warn", say!(language, "It is undamaged as computed, but the checks do not vouch for that."))
+            ("warn", say!(language, "It is undamaged as computed, but some checks fail."))
         }
         (Status::Done, Some(Severity::Undamaged), _) if source.still().is_some() => {
             ("plain", say!(language, "It is undamaged; no earthquake has come."))
@@ -184,7 +184,7 @@ fn run(source: &Source, facts: &Summary) -> VerdictLine {
             "good",
             say!(
                 language,
-                "The run can be trusted as far as it checks itself: {passed} of {judged} checks pass.",
+                "{passed} of {judged} checks of the run pass: none warns.",
                 passed = passed,
                 judged = judged
             ),
@@ -349,7 +349,12 @@ fn relative(source: &Source, facts: &Summary) -> Option<VerdictLine> {
         pair = pair,
         most = share(most.max),
         time = moment(most.t_max, facts.computed.model.duration),
-        left = if most.residual.is_finite() { share(most.residual) } else { figures(most.residual, 3) }
+        // Below a thousandth it is what still swings.
+        left = match most.residual {
+            r if r.abs() < 1e-3 * most.max => share(0.0),
+            r if r.is_finite() => share(r),
+            r => figures(r, 3),
+        }
     );
     if !loose.is_empty() {
         text = say!(

@@ -32,6 +32,44 @@ pub struct SectionStrength {
     /// Most of thrust and moment, and of shear; none where nothing was judged.
     pub bending: Option<Used>,
     pub shear: Option<Used>,
+    /// The widest crack that is left in a section with bars; none where the case gives no diameter, or nothing has bars.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crack: Option<LastingCrack>,
+    /// What the sections bear while the ground shakes (before it, where it does not), by kind of section, the most frequent first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub borders: Vec<Border>,
+}
+
+/// A crack of a reinforced section under the thrust and moment of the end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct LastingCrack {
+    /// w_k (m); no number where bars yield, which has no width.
+    #[serde(with = "number", default = "number::absent")]
+    pub width: f64,
+    /// σ_s of the bars next to the face that opens (Pa) and s_r,max (m).
+    pub stress: f64,
+    pub spacing: f64,
+    /// The station, as in utilisation.csv, and its place (m).
+    pub station: u32,
+    pub at: [f64; 3],
+    /// N (N/m) and M (N m/m) at the end.
+    pub forces: [f64; 2],
+    /// Sections with bars for which the clause has no width: a face without bars opens, or the bars cannot hold the forces.
+    pub without: u64,
+}
+
+/// The line round all N and M that a kind of section bears.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Border {
+    /// m
+    pub thickness: f64,
+    /// Area (m² a metre) of bars nearer to the intrados and nearer to the extrados.
+    pub bars: [f64; 2],
+    pub stations: u64,
+    /// N (N/m) and M (N m/m), closed.
+    pub line: Vec<[f64; 2]>,
 }
 
 /// Factors of a code, as the case has them.

@@ -45,13 +45,22 @@ impl Rule {
         ]
     }
 
+    /// The concrete with its static design strength.
+    pub fn concrete(&self) -> Concrete {
+        self.of(self.design(1.0)[0])
+    }
+
+    fn of(&self, compression: f64) -> Concrete {
+        match self.code {
+            Code::En => Concrete::en(compression),
+            Code::Gb => Concrete::gb(compression),
+        }
+    }
+
     /// What a section of this thickness \[m\] bears with these layers, as drawn, with strengths of concrete `grown` by this factor.
     pub fn capacity(&self, thickness: f64, layers: &[Layer], grown: f64) -> Capacity {
         let [compression, tension] = self.design(grown);
-        let concrete = match self.code {
-            Code::En => Concrete::en(compression),
-            Code::Gb => Concrete::gb(compression),
-        };
+        let concrete = self.of(compression);
         // GB 50010-2010 6.2.1: steel that is pulled is strained by 0.01 at most.
         let limit = if self.code == Code::Gb { 0.01 } else { f64::INFINITY };
         let design =

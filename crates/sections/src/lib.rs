@@ -8,6 +8,7 @@
 //! - [`Section`]: forces of plane strains, in closed form; [`Diagram`]: all N and M that its limits of strain allow.
 //! - [`Plain`]: concrete without steel, by its own rule (EN 1992-1-1 12.6.1).
 //! - [`Shear`]: EN 1992-1-1 6.2.2 and 12.6.3, GB 50010 6.3.3.
+//! - [`CrackRule`]: the width of cracks under lasting forces, EN 1992-1-1 7.3.4.
 //! - [`Grade`]: characteristic strengths by grade.
 //! - [`Rule`]: all of it by a code with its factors, and [`Capacity`], what a section bears by it.
 //!
@@ -18,6 +19,7 @@
 mod capacity;
 mod code;
 mod concrete;
+mod crack;
 mod diagram;
 mod grade;
 mod plain;
@@ -27,6 +29,7 @@ mod shear;
 pub use capacity::{Capacity, Rule};
 pub use code::Code;
 pub use concrete::Concrete;
+pub use crack::{Crack, CrackRule};
 pub use diagram::Diagram;
 pub use grade::Grade;
 pub use plain::Plain;

@@ -187,7 +187,7 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
     let mut text = Vec::new();
     if let Some(place) = cracks.through_at {
         text.push(said!(
-            "Of these element {element} at {place} opened widest.",
+            "Element {element} at {place} opened widest of these.",
             element = place.element.to_string(),
             place = point(place.at),
         ));
@@ -212,7 +212,7 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
             place = point(widest.at),
         ),
     });
-    text.push(said!("How many cracks share a stretch, and so their width, goes by the mesh."));
+    text.push(said!("The number of cracks over a length, and so their width, depends on the mesh."));
     text
 }
 

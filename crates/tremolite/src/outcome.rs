@@ -58,15 +58,14 @@ fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
     let Halt { found, supplied, .. } = halt;
     let why = match found.is_finite() {
         true => said!(
-            "The run became unstable and was stopped at {time} s: energy of {energy} J was found where {supplied} J were supplied.",
+            "The run became unstable and was stopped at {time} s: its energy balance is off by {energy} J where {supplied} J were supplied.",
             time = time,
             energy = joule(found),
             supplied = joule(supplied),
         ),
-        false => said!(
-            "The run became unstable and was stopped at {time} s: its motion had grown beyond all numbers.",
-            time = time,
-        ),
+        false => {
+            said!("The run became unstable and was stopped at {time} s: its motion overflowed.", time = time,)
+        }
     };
     let remedy = if created > *supplied {
         said!(

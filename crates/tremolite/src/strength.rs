@@ -14,6 +14,8 @@ pub struct JudgedBy {
     pub rule: Rule,
     /// By which strengths of concrete grow while the ground shakes.
     pub dynamic: f64,
+    /// Of the bars \[m\]; nothing: crack widths are not wanted.
+    pub bar_diameter: Option<f64>,
 }
 
 impl JudgedBy {

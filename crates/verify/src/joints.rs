@@ -31,7 +31,7 @@ pub fn joint(
     for (name, word) in words {
         values.0.insert((*name).into(), Value::Word((*word).into()));
     }
-    let choice = Choice { stiffness: 1e15, pressure: Interface::PRESSURE };
+    let choice = Choice { stiffness: 1e15, least: 0.0, pressure: Interface::PRESSURE };
     let whole = (law.info.chosen)(&values, &choice);
     (law.build)(&whole).map_err(|faults| VerifyError::Setup(format!("{faults:?}")))?;
     Ok(Interface::new("joint", sides, law, values))

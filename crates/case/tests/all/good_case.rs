@@ -30,6 +30,7 @@ fn every_value_arrives_in_si() {
             "reinforcement[1].young",
             "reinforcement[1].yield",
             "reinforcement[2].yield",
+            "section[1].bar_diameter",
             "monitor[free].body",
         ]
     );

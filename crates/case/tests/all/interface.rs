@@ -69,7 +69,10 @@ fn what_an_interface_leaves_out_is_listed_and_what_is_chosen_has_no_value() {
         ("poisson", "0.25"),
         ("tangential", "following"),
         ("tensile_strength", "the cohesion"),
-        ("normal_stiffness", "as stiff as impacts leave the time step alone"),
+        (
+            "normal_stiffness",
+            "as stiff as impacts leave the time step alone, and no softer than ten times the elements beside it",
+        ),
         ("corner", "45 deg"),
         ("contact_damping", "0.01"),
         ("contact_limit", "0.8"),

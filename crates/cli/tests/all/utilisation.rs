@@ -200,6 +200,48 @@ fn bars_count_and_judging_changes_nothing_else() {
     }
 }
 
+/// The crack that is left is that of EN 1992-1-1 7.3.4 at the forces of the last step, which lie between the extremes of the file; without
+/// a diameter there is none.
+#[test]
+fn the_crack_that_is_left_is_that_of_the_forces_at_the_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, &format!("{STEEL}{SECTION}bar_diameter = \"16 mm\"\n"));
+    // Much less across than down: the lining bends.
+    change(folder, "xx = \"-0.4 MPa\"", "xx = \"-0.1 MPa\"");
+    let done = run(folder, "out", &[]);
+    assert_eq!(code(&done), 0, "{}", errors(&done));
+    let (sections, _) = both(folder, "out");
+    let summary: Value = serde_json::from_slice(&bytes(folder, "out", "summary.json")).unwrap();
+    let crack = &summary["sections"]["hall.lining"]["crack"];
+    let number = |v: &Value| v.as_f64().unwrap();
+    let (width, forces) = (number(&crack["width"]), [0, 1].map(|i| number(&crack["forces"][i])));
+    let of = |when: &str| {
+        let station = number(&crack["station"]) as u32;
+        sections.iter().find(|s| s.station == station && s.when == when).unwrap()
+    };
+    for i in 0..2 {
+        let (low, high) = (of("min").forces[i], of("max").forces[i]);
+        let room = 0.01 * (high - low);
+        assert!((low - room..=high + room).contains(&forces[i]), "{forces:?} {low} {high}");
+    }
+    use tremolite_sections::{Concrete, CrackRule, Layer, Section};
+    let rule = CrackRule::en(20e6, 0.016);
+    let at = |h: f64, forces: [f64; 2]| {
+        let layer = |depth| Layer { area: 1e-3, depth, young: 200e9, yields: 500e6, breaks: f64::INFINITY };
+        let layers = vec![layer(0.5 * h - 0.06), layer(0.06 - 0.5 * h)];
+        rule.crack(&Section { thickness: h, concrete: Concrete::en(12.8e6), layers }, forces).unwrap()
+    };
+    let exact = at(of("lining").thickness, forces);
+    // The bars' lever is that of a chord.
+    assert!(width > 1e-6 && (width / exact.width - 1.0).abs() < 0.03, "{width} {exact:?}");
+    assert!((number(&crack["stress"]) / exact.stress - 1.0).abs() < 0.03, "{exact:?}");
+    case(folder, &format!("{STEEL}{SECTION}"));
+    assert_eq!(code(&run(folder, "none", &[])), 0);
+    let summary: Value = serde_json::from_slice(&bytes(folder, "none", "summary.json")).unwrap();
+    assert!(summary["sections"]["hall.lining"]["crack"].is_null());
+}
+
 #[test]
 fn what_cannot_be_judged_is_refused_at_its_line() {
     let folder = tempfile::tempdir().unwrap();

@@ -42,7 +42,9 @@ impl Interface for Bandis {
         Parameter {
             name: STIFFNESS,
             kind: Kind::Number(Dimension::STIFFNESS),
-            need: Need::Chosen("as stiff as impacts leave the time step alone"),
+            need: Need::Chosen(
+                "as stiff as impacts leave the time step alone, and no softer than ten times the elements beside it",
+            ),
             doc: "normal stiffness per area k_n0 of the closed, unloaded joint",
         },
         Parameter {
@@ -138,7 +140,8 @@ impl Interface for Bandis {
 
     /// With p* the larger root k_n0 of k_n0 (1 + p*/(k_n0 T))² = L, the stiffness of the choice; that has its least value 4p*/T
     /// at p*/T. Where L is below it, k_n0 = ¼L and p* = ¼LT, but for a p* that is given: then k_n0 = p*/T, and the stiffest state
-    /// is stiffer than the choice. The closure's floor bounds it as well.
+    /// is stiffer than the choice. The closure's floor bounds it as well. A k_n0 below the least is raised to it, and p* then is as
+    /// much of its own value as costs no more: k_n0 T at most, where the stiffest state is the least for that p*.
     fn chosen(values: &Values, choice: &Choice) -> Values {
         let given = values.optional(PRESSURE_FOR_STEP);
         let limit = given.unwrap_or(choice.pressure);
@@ -152,11 +155,14 @@ impl Interface for Bandis {
         let by_floor = most * floor * floor;
         if most >= 4.0 * least {
             let root = 0.5 * ((most - 2.0 * least) + (most * (most - 4.0 * least)).sqrt());
-            return with_limit(limit).with(STIFFNESS, by_floor.max(root));
+            return with_limit(limit).with(STIFFNESS, by_floor.max(root).max(choice.least));
         }
         match given {
-            Some(_) => with_limit(limit).with(STIFFNESS, by_floor.max(least)),
-            None => with_limit(0.25 * most * closure).with(STIFFNESS, by_floor.max(0.25 * most)),
+            Some(_) => with_limit(limit).with(STIFFNESS, by_floor.max(least).max(choice.least)),
+            None => {
+                let own = (0.25 * most).max(choice.least);
+                with_limit(limit.min(own * closure)).with(STIFFNESS, by_floor.max(own))
+            }
         }
     }
 

@@ -55,7 +55,9 @@ impl Interface for Coulomb {
         Parameter {
             name: "normal_stiffness",
             kind: Kind::Number(Dimension::STIFFNESS),
-            need: Need::Chosen("as stiff as impacts leave the time step alone"),
+            need: Need::Chosen(
+                "as stiff as impacts leave the time step alone, and no softer than ten times the elements beside it",
+            ),
             doc: "normal stiffness per area k_n",
         },
         Parameter {
@@ -90,7 +92,7 @@ impl Interface for Coulomb {
     }
 
     fn chosen(values: &Values, choice: &Choice) -> Values {
-        let stiffness = values.optional("normal_stiffness").unwrap_or(choice.stiffness);
+        let stiffness = values.optional("normal_stiffness").unwrap_or(choice.stiffness.max(choice.least));
         let shear = values.optional("shear_stiffness").unwrap_or(SHARE * stiffness);
         values.clone().with("normal_stiffness", stiffness).with("shear_stiffness", shear)
     }

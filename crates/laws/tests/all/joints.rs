@@ -211,7 +211,7 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
         if random.unit() < 0.5 {
             given = given.with("closure_floor", 0.05 + 0.95 * random.unit());
         }
-        let choice = Choice { stiffness, pressure: 10f64.powf(5.5 + 2.5 * random.unit()) };
+        let choice = Choice { stiffness, least: 0.0, pressure: 10f64.powf(5.5 + 2.5 * random.unit()) };
         let chosen = Bandis::chosen(&given, &choice);
         let law = Bandis::new(&chosen).unwrap();
         let found = law.stiffest()[0] / stiffness;
@@ -228,7 +228,8 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
     let at = |share: f64| {
         let open = |k: &str| k != "normal_stiffness" && k != "pressure_for_step";
         let given = Values(values(&[]).0.into_iter().filter(|(k, _)| open(k)).collect());
-        let chosen = Bandis::chosen(&given, &Choice { stiffness: share * 4.0 * 5e6 / T, pressure: 5e6 });
+        let chosen =
+            Bandis::chosen(&given, &Choice { stiffness: share * 4.0 * 5e6 / T, least: 0.0, pressure: 5e6 });
         ["normal_stiffness", "pressure_for_step"].map(|k| chosen.optional(k).unwrap())
     };
     for (below, above) in at(1.0 - 1e-12).into_iter().zip(at(1.0 + 1e-12)) {
@@ -241,10 +242,24 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
     let open = |k: &str| k != "normal_stiffness";
     let given = values(&[("pressure_for_step", 5e6)]);
     let given = Values(given.0.into_iter().filter(|(k, _)| open(k)).collect());
-    let chosen = Bandis::chosen(&given, &Choice { stiffness: 5e6 / T, pressure: 1e6 });
+    let chosen = Bandis::chosen(&given, &Choice { stiffness: 5e6 / T, least: 0.0, pressure: 1e6 });
     assert_eq!(chosen.optional("pressure_for_step"), Some(5e6));
     let stiffest = Bandis::new(&chosen).unwrap().stiffest()[0];
     assert!((stiffest / (4.0 * 5e6 / T) - 1.0).abs() < 1e-12, "the least that this pressure allows");
+    // The least stiffness of the unloaded joint goes before the stiffness that no state should exceed; the pressure stays, or is as
+    // large as the joint's own most favourable one.
+    let open = Values(given.0.into_iter().filter(|(k, _)| k != "pressure_for_step").collect());
+    for (least, pressure) in [(0.5, 2.5e6), (1.0, 5e6), (3.0, 5e6)] {
+        let least = least * 5e6 / T;
+        for stiffness in [0.1 * least, least] {
+            let chosen = Bandis::chosen(&open, &Choice { stiffness, least, pressure: 5e6 });
+            assert_eq!(chosen.optional("normal_stiffness"), Some(least));
+            let found = chosen.optional("pressure_for_step").unwrap();
+            assert!((found / pressure - 1.0).abs() < 1e-12, "{found} {pressure}");
+        }
+        let linear = Coulomb::chosen(&open, &Choice { stiffness: 0.1 * least, least, pressure: 5e6 });
+        assert_eq!(linear.optional("normal_stiffness"), Some(least));
+    }
 }
 
 #[test]

@@ -32,6 +32,23 @@ test("the page allows itself nothing but what stands in it", async () => {
   assert.equal(allowed, "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:");
 });
 
+test("no window is too narrow for the page, in either language: what is wide scrolls in itself", async () => {
+  for (const folder of ["english", "chinese", "named"]) {
+    for (const width of [1400, 390]) {
+      await withPage(
+        running,
+        folder,
+        async (page) => {
+          await unfold(page);
+          const [wide, window] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+          assert.ok(wide <= window, `${folder} at ${width}: ${wide} px wide`);
+        },
+        { viewport: { width, height: 900 } },
+      );
+    }
+  }
+});
+
 test("without scripts the figures stand", async () => {
   await withPage(
     running,

@@ -33,8 +33,8 @@ pub const TEXTS: Texts = &[
         "侧边界做功是自由场侧边界以外地层对模型所做的功：包括超出初始状态的力与其间阻尼器的功，以进入模型为正：结束时 {end}，全过程在 {least} 与 {most} 之间。无洞室的水平地层几乎不传递输入；远小于零表示散射波离开模型。",
     ),
     (
-        "It holds ⅛Δt²aᵀMa, which belongs to the scheme and shrinks with the step; the check of the balance leaves that out, so its number is another.",
-        "其中含 ⅛Δt²aᵀMa，属于积分格式，随步长减小；能量平衡检查扣除了该项，故其数值不同。",
+        "The error drawn includes ⅛Δt²aᵀMa, a part of the scheme that shrinks with the step. The check of the energy balance, below, gives the error without it.",
+        "图中误差含 ⅛Δt²aᵀMa，属于积分格式，随步长减小；下文的能量平衡检查给出扣除该项后的误差。",
     ),
     (
         "At the end interfaces hold {held}; friction and broken bonds have taken {friction}.",
@@ -52,8 +52,8 @@ pub const TEXTS: Texts = &[
     ("energy of interfaces", "接触面能量"),
     ("energy of bolts", "锚杆能量"),
     (
-        "The error is at most {worst}, {percent}\u{a0}% of the largest energy held, the sum of what motion, elements, interfaces and bolts hold at one time. Both are those of the rows of energy.csv.",
-        "误差最大为 {worst}，占最大持有能量（同一时刻动能、单元、接触面与锚杆所持能量之和）的 {percent}\u{a0}%。两者均取自 energy.csv 各行。",
+        "The error is at most {worst}, {percent}\u{a0}% of the largest energy held.",
+        "误差最大为 {worst}，占最大持有能量的 {percent}\u{a0}%。",
     ),
     ("Zero throughout: {names}.", "始终为零：{names}。"),
 ];

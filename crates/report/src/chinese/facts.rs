@@ -24,7 +24,6 @@ pub const TEXTS: Texts = &[
         "{energy}, of the largest energy held; from energy.csv, with ⅛Δt²aᵀMa, which belongs to the scheme and which the check leaves out",
         "{energy}，与持有能量的最大值之比；取自 energy.csv，含属于积分格式的 ⅛Δt²aᵀMa（检查项不计入）",
     ),
-    ("{energy}, of the largest energy held", "{energy}，相对于最大持有能量"),
     ("Largest error of the energy balance", "能量平衡最大误差"),
     (
         "{wall}, after the last stage, since the initial equilibrium",

@@ -4,7 +4,7 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     (
-        "How many cracks share a stretch, and so their width, goes by the mesh.",
+        "The number of cracks over a length, and so their width, depends on the mesh.",
         "多少条裂缝分担一段张开量、每条有多宽，取决于网格。",
     ),
     // Joints of phrases.
@@ -24,7 +24,7 @@ pub const TEXTS: Texts = &[
     ("{measure} in less than 0.1 % of its volume", "不足 0.1 % 的体积{measure}"),
     ("through the thickness at {through} of {places} places", "{places} 处中有 {through} 处贯穿厚度"),
     (
-        "Of these element {element} at {place} opened widest.",
+        "Element {element} at {place} opened widest of these.",
         "其中张开最大的是单元 {element}，位于 {place}。",
     ),
     ("No crack runs through the thickness.", "没有裂缝贯穿厚度。"),

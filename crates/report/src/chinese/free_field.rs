@@ -51,8 +51,8 @@ pub const TEXTS: Texts = &[
     ),
     (
         " A difference is the largest of any row, over the largest component of the column, or of its theory, at \
-         surface or base: as in the checks 'model's corners against free field', which takes every step and may \
-         find more, and 'free field against theory'. The incident wave is what comes up through the base; at the \
+         surface or base: as in the checks 'motion at the model's corners against the free field', which takes every step and may \
+         find more, and 'free field against one-dimensional theory'. The incident wave is what comes up through the base; at the \
          base it stands together with what comes back from above. A surface moves twice the incident wave where \
          nothing is layered, damped or yields.",
         "差值取各行中的最大值，除以该柱（或其理论解）在地表和底部的最大分量：与“模型角点与自由场”和“自由场与理论”\

@@ -76,7 +76,7 @@ pub const TEXTS: Texts = &[
         "粗线为换算到计算时间的记录，细线为该处自由场的运动，即入射波传入模型旁的层状地层后的结果。细线应与粗线重合。",
     ),
     (
-        " They differ by at most {share} of the record's peak (check 'the record at the place where it was taken').",
+        " They differ by at most {share} of the record's peak (check 'computed motion at the record's place against the record').",
         "两者最多相差记录峰值的 {share}（见检查项“记录在其观测位置的再现”）。",
     ),
     (

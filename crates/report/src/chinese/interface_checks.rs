@@ -5,18 +5,21 @@ use super::Texts;
 pub const TEXTS: Texts = &[
     ("no interface", "没有接触面"),
     ("interfaces without initial stress", "无初始应力的接触面"),
-    ("energy created by interface laws over that of friction", "接触面本构产生的能量与摩擦耗能之比"),
+    (
+        "energy created by interface laws over energy dissipated by friction",
+        "接触面本构产生的能量与摩擦耗能之比",
+    ),
     ("largest closure of the interface over its limit", "接触面最大闭合量与其极限之比"),
     ("largest closure over its limit", "最大闭合量与其极限之比"),
     ("largest slip over element size", "最大滑移量与单元尺寸之比"),
     ("largest gap over element size", "最大张开量与单元尺寸之比"),
+    ("interface pairs under more pressure than pressure_for_step", "压力超过本构转为线性之值的节点对数"),
+    ("energy error of impacts over energy supplied", "碰撞产生的能量与输入能量之比"),
+    ("time step × frequency of the stiffest contact pair", "时间步长与最刚节点对频率之积"),
     (
-        "interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness",
-        "压力超过本构转为线性之值的节点对数",
+        "acceleration at the interface above the input's band over that in the band",
+        "接触面附近高于输入频带的运动",
     ),
-    ("energy found at impacts over energy supplied", "碰撞产生的能量与输入能量之比"),
-    ("time step times frequency of the stiffest pair", "时间步长与最刚节点对频率之积"),
-    ("motion above the input's band beside the interface", "接触面附近高于输入频带的运动"),
     (
         "between sound elements, and apart from what hits, it slid over {share} % of area and time alone",
         "在完好单元之间且远离碰撞之处，滑移仅占面积和时间的 {share} %",
@@ -25,7 +28,7 @@ pub const TEXTS: Texts = &[
         "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, {below} m/s²; root mean squares over {share} % of area and time: where it slid between sound elements, away from what was open. What slides feeds such vibrations, and slides further by them: give the interface more `viscosity`",
         "其节点高于 {corner} Hz（输入最高频率的两倍）的加速度 {above} m/s² 与低于该频率的加速度 {below} m/s² 之比；为面积和时间的 {share} % 上的均方根值，即在完好单元之间滑移且远离张开处的部分。滑移会激发这种振动，并因此滑得更远：请为接触面给出更大的 `viscosity`",
     ),
-    ("closure of the interface over that of the elements beside it", "接触面闭合量与相邻单元压缩量之比"),
+    ("compliance of the interface over that of the adjacent elements", "接触面柔度与相邻单元柔度之比"),
     ("{check}, {interface}", "{check}，{interface}"),
     (
         "{names}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and slide earlier and further than in place; one without a bond is open from the first motion on",
@@ -53,7 +56,7 @@ pub const TEXTS: Texts = &[
         "shortest edge of the faces at {pair}; what is so far apart has come loose, and closes on faces that are not its own",
         "{pair} 处各面的最短边；张开如此之大说明已经松脱，重新闭合时会落在并非原配的面上",
     ),
-    ("the law is straight throughout", "本构始终为线性"),
+    ("the law is linear", "本构始终为线性"),
     (
         "of {pairs} pairs; the largest pressure was {pressure} MPa, and from {limit} MPa on the joint is held at a constant stiffness, so that it does not shorten the step; give a larger `pressure_for_step`, at the price of a shorter one",
         "共 {pairs} 对；最大压力为 {pressure} MPa，自 {limit} MPa 起接触面保持常刚度，以免缩短步长；可给出更大的 `pressure_for_step`，代价是步长更短",
@@ -68,16 +71,13 @@ pub const TEXTS: Texts = &[
         "{pair} 在最刚状态下的 ω_c；超过 0.8 时，即使步长稳定，碰撞也可能增加能量",
     ),
     (
-        "at equal pressure, unloaded; the program chose the stiffness so that the interface does not set the time step, and it is so soft that results hang on it: give `normal_stiffness` of a test, or a shorter `time_step`",
-        "压力相等、未加载时；为使接触面不控制时间步长，刚度由程序选定，而该刚度偏软，结果受其影响：请给出试验所得的 `normal_stiffness`，或更短的 `time_step`",
+        "at equal pressure, unloaded; the program chose the stiffness. Above the limit results depend on it: give `normal_stiffness` from a test, or leave `time_step` out",
+        "压力相等、未加载时；刚度由程序选定。超过限值时结果取决于该刚度：请给出试验所得的 `normal_stiffness`，或不给定 `time_step`",
     ),
     ("its stiffness was given", "刚度已给定"),
     // Bolts.
     ("largest slip of bolts over element size", "锚杆最大滑移量与单元尺寸之比"),
-    (
-        "force of bonds beyond their strength over the largest of bolts",
-        "粘结超出其强度的力与锚杆最大轴力之比",
-    ),
+    ("bond force beyond strength over the largest bolt force", "粘结超出其强度的力与锚杆最大轴力之比"),
     ("no bolts with a bond", "没有带粘结的锚杆"),
     ("bolt {bolt} of {group}", "{group} 的 {bolt} 号锚杆"),
     (

@@ -78,7 +78,7 @@ pub const TEXTS: Texts = &[
     ("of all pairs whose bond is broken and all steps", "所有粘结已破坏的节点对，所有时步"),
     ("Largest pressure", "最大压力"),
     ("of all pairs and steps", "所有节点对，所有时步"),
-    ("beyond {pressure}, from which on the law is straight", "超过 {pressure}，此后本构为直线"),
+    ("above {pressure}, where the stiffness is constant", "超过 {pressure}，此后本构为直线"),
     ("Energy found at impacts", "碰撞时增加的能量"),
     (
         "over the run, negative where it was lost; part of the balance's error",

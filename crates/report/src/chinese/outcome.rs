@@ -14,11 +14,11 @@ pub const TEXTS: Texts = &[
     ),
     ("The run was stopped at {time} s; go on with --resume.", "计算在 {time} s 被停止；可用 --resume 继续。"),
     (
-        "The run became unstable and was stopped at {time} s: energy of {energy} J was found where {supplied} J were supplied.",
+        "The run became unstable and was stopped at {time} s: its energy balance is off by {energy} J where {supplied} J were supplied.",
         "计算失稳，在 {time} s 停止：发现能量 {energy} J，而输入的能量为 {supplied} J。",
     ),
     (
-        "The run became unstable and was stopped at {time} s: its motion had grown beyond all numbers.",
+        "The run became unstable and was stopped at {time} s: its motion overflowed.",
         "计算失稳，在 {time} s 停止：运动已超出一切数值范围。",
     ),
     ("Most of it is in {place}.", "其大部分位于{place}。"),

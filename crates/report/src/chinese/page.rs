@@ -5,7 +5,7 @@ use super::Texts;
 pub const TEXTS: Texts = &[
     ("of all steps", "全部时间步"),
     (
-        "{place} at {time}; how wide a single crack is goes by the mesh",
+        "{place} at {time}; the width of a single crack depends on the mesh",
         "{place}，{time}；单条裂缝的宽度取决于网格",
     ),
     (

@@ -3,6 +3,31 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    ("{lining}: N and M against the strength of the sections", "{lining}：N、M 与断面承载力"),
+    ("when each station uses most, while the ground shakes", "各断面利用率最大时（地震中）"),
+    ("{thickness} m, without bars ({stations} stations)", "厚 {thickness} m，无筋（{stations} 个断面）"),
+    (
+        "{thickness} m, bars of {inner} mm²/m inside and {outer} mm²/m outside ({stations} stations)",
+        "厚 {thickness} m，内侧钢筋 {inner} mm²/m，外侧 {outer} mm²/m（{stations} 个断面）",
+    ),
+    ("N (kN/m), tension positive; upwards M (kN\u{a0}m/m)", "N（kN/m），受拉为正；纵轴 M（kN\u{a0}m/m）"),
+    (
+        "Design strength by {code}, bars included; each point is N and M of one instant. Inside its line a section bears them.",
+        "按 {code} 的设计承载力，计入钢筋；每点为同一时刻的 N 与 M。点在本断面的包络线以内时，断面可以承受。",
+    ),
+    ("crack width left", "残余裂缝宽度"),
+    ("crack width left, by code", "残余裂缝宽度（按规范）"),
+    ("({x}, {y}, {z}) at the end", "({x}, {y}, {z})，结束时"),
+    ("bars yield", "钢筋屈服"),
+    (
+        " Crack width left: EN 1992-1-1 7.3.4 with N and M at the end, the section cracked, lasting load (k_t 0.4); σ_s {stress}, s_r,max {spacing}.",
+        "残余裂缝宽度：按 EN 1992-1-1 第 7.3.4 条，取结束时的 N、M，截面已开裂，长期荷载（k_t 0.4）；σ_s {stress}，s_r,max {spacing}。",
+    ),
+    (
+        " For {without} stations with bars the clause has no width: a face without bars opens.",
+        "有 {without} 个配筋断面在无筋一侧张开，该条不给出其裂缝宽度。",
+    ),
+    ("{lining}, left at the end, by EN 1992-1-1 7.3.4", "{lining}，结束时残余，按 EN 1992-1-1 第 7.3.4 条"),
     (
         "The summary does not say of what strength the concrete of this lining is.",
         "summary.json 未给出该衬砌混凝土的强度。",

@@ -3,6 +3,10 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    ("Sections", "断面承载力"),
+    ("bars {inner} inside, {outer} mm²/m outside", "钢筋内侧 {inner}、外侧 {outer} mm²/m"),
+    ("no bars", "无筋"),
+    ("with bars", "配筋"),
     ("What the sections use of their strength", "断面承载力利用率"),
     (
         "Thrust and moment of one instant, in every step, on the ray from the origin to the border of what the section bears: 1 is all of its strength. Shear is |Q| over its resistance. utilisation.csv has every station.",
@@ -56,7 +60,7 @@ pub const TEXTS: Texts = &[
         "地震波自下部竖直入射；模型以外的围岩与其侧面相同。",
     ),
     (
-        "How wide a single crack is goes by the mesh; pieces that come loose are not followed.",
+        "The width of a single crack depends on the mesh; pieces that come loose are not followed.",
         "单条裂缝的宽度与网格有关；脱落的块体不作追踪。",
     ),
     (
@@ -70,7 +74,7 @@ pub const TEXTS: Texts = &[
     ("Displacement of a monitor", "监测点位移"),
     ("Crack width", "裂缝宽度"),
     ("Cracked share of a lining's volume", "衬砌开裂体积比"),
-    ("Utilisation of a section", "断面承载力利用率（复核）"),
+    ("Utilisation of a section", "断面承载力利用率"),
     ("not known", "未知"),
     ("met", "满足"),
     ("not met", "不满足"),
@@ -119,13 +123,16 @@ pub const TEXTS: Texts = &[
     ("Limits of the method", "方法的局限"),
     ("Show", "展开"),
     (
-        "Its sections bear what was computed, but the checks do not vouch for that: utilisation {most}.",
-        "断面能承受计算内力，但检查未能全部支持这一结论：利用率 {most}。",
+        "Its sections resist the computed forces, but some checks fail: utilisation {most} {way}.",
+        "断面能承受计算内力，但部分检查未通过：利用率 {most}（{way}）。",
     ),
-    ("Its sections bear what is asked of them: utilisation {most}.", "断面承载力满足要求：利用率 {most}。"),
     (
-        "Its sections do not bear what is asked of them: utilisation {most}.",
-        "断面承载力不满足要求：利用率 {most}。",
+        "Its sections resist the computed forces: utilisation {most} {way}.",
+        "断面承载力满足要求：利用率 {most}（{way}）。",
+    ),
+    (
+        "Its sections do not resist the computed forces: utilisation {most} {way}.",
+        "断面承载力不满足要求：利用率 {most}（{way}）。",
     ),
     (
         "{lining}: utilisation {bending} in thrust and moment, {shear} in shear, by {code}; beyond 1 at {beyond} of {stations} stations.",

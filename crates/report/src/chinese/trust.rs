@@ -5,20 +5,17 @@ use super::Texts;
 pub const TEXTS: Texts = &[
     // Before the earthquake.
     (
-        "work that damping took on the way to rest over the work of what stages moved",
+        "work dissipated by relaxation damping over work of the prescribed displacements",
         "趋于静止过程中阻尼所耗功与各阶段移动所做功之比",
     ),
     ("no stage moved anything", "没有阶段移动任何部位"),
     ("no stage moved anything twice", "没有部位被移动两次"),
-    (
-        "share of the work of the first step that moves nodes that laws dissipated",
-        "首个移动步的功中被材料耗散的比例",
-    ),
+    ("share of the first loading step's work that was dissipated", "首个移动步的功中被材料耗散的比例"),
     (
         "the first step should be elastic: what later steps lose is counted beyond what it did, and a peak within a step is cut; take more `steps`",
         "首步应为弹性：其后各步的损失以首步为基准，步内的峰值会被削去；请增大 `steps`",
     ),
-    ("largest share of the energy held that a step let go at once", "单步瞬间释放的能量占所储能量的最大比例"),
+    ("largest share of the stored energy released in one step", "单步瞬间释放的能量占所储能量的最大比例"),
     (
         "in the stage '{stage}': the specimen snapped back there, and the force fell along no states at rest",
         "在阶段“{stage}”：试件在此回跳，力的下降未经过静止状态",
@@ -29,19 +26,19 @@ pub const TEXTS: Texts = &[
         "移动速度对该网格过快时，拉力大于静止值，并在裂缝旁再次开裂：请增大 `release_cycles`，移动节点的步取其五倍",
     ),
     (
-        "held besides weight, loads and reactions after the last stage, over all contributions",
+        "unreleased force after the last stage over all forces",
         "最后施工阶段结束时除自重、荷载与支座反力外仍被约束的力与全部贡献之比",
     ),
     (
-        "change of the initial stress on the way to equilibrium over that stress",
+        "change of the initial stress by the initial equilibrium, relative",
         "达到平衡过程中初始应力的变化与初始应力之比",
     ),
     (
-        "largest change of an element's initial stress on the way to equilibrium over that stress",
+        "largest change of an element's initial stress by the initial equilibrium, relative",
         "达到平衡过程中单元初始应力的最大变化与初始应力之比",
     ),
     (
-        "largest difference of motion across an element or an interface to the initial equilibrium over that of the stages",
+        "largest relative displacement across an element or interface, initial equilibrium over stages",
         "达到初始平衡时单元内或接触面两侧位移差的最大值与各施工阶段之比",
     ),
     ("at {place}; {remedy}", "位于 {place}；{remedy}"),
@@ -50,7 +47,10 @@ pub const TEXTS: Texts = &[
         "位于 {place}；其初始应力小于平均值处以平均值为基准；{remedy}",
     ),
     ("{what}, beside interface '{name}'", "{what}，位于接触面“{name}”旁"),
-    ("motion to the initial equilibrium over that of the stages", "达到初始平衡的位移与各施工阶段位移之比"),
+    (
+        "displacement of the initial equilibrium over that of the stages",
+        "达到初始平衡的位移与各施工阶段位移之比",
+    ),
     ("nothing comes before the earthquake", "地震前没有施工阶段"),
     ("no stage came to rest", "没有阶段达到静止"),
     (
@@ -70,7 +70,7 @@ pub const TEXTS: Texts = &[
     ),
     ("plastic shear strain at the initial equilibrium, integrated", "初始平衡时塑性剪应变的体积积分"),
     ("rock that the initial stress itself brings to yield", "初始应力本身即使其屈服的岩体"),
-    ("out of balance over all contributions, worst of the stages", "不平衡力与全部贡献之比，取各阶段最大值"),
+    ("out-of-balance force over all forces, worst stage", "不平衡力与全部贡献之比，取各阶段最大值"),
     (
         "each stage goes on until this is below `initial.tolerance`, and little motion is left",
         "每个阶段计算至该值低于 `initial.tolerance` 且剩余位移很小为止",
@@ -79,10 +79,7 @@ pub const TEXTS: Texts = &[
         "of {pairs} that are there from the start: they slid or opened on the way to the initial equilibrium",
         "共 {pairs} 对自始存在：它们在达到初始平衡的过程中滑移或张开",
     ),
-    (
-        "pairs of interfaces that the initial stress brings beyond their strength",
-        "初始应力超过其强度的接触面节点对",
-    ),
+    ("interface pairs whose strength the initial stress exceeds", "初始应力超过其强度的接触面节点对"),
     ("largest displacement in 100 steps without motion", "无输入运动的 100 步内的最大位移"),
     (
         "what all parts do at rest is held, so nothing moves but by round-off",
@@ -106,14 +103,14 @@ pub const TEXTS: Texts = &[
         "shear waves of {frequency} Hz (99.9 % of the input's energy lies below) along the longest edge of {element}",
         "频率 {frequency} Hz（输入能量的 99.9 % 在此频率以下）的剪切波，沿{element} 的最长边",
     ),
-    ("input displacement at its end over its peak", "输入位移的终值与峰值之比"),
+    ("residual displacement of the input over its peak", "输入位移的终值与峰值之比"),
     (
         "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.process, behind filter and taper",
         "数值大说明记录存在漂移，模型将随之整体移动：请在 motion.process 中将 \"baseline\" 放在滤波与端部渐变（taper）之后，作为最后一步",
     ),
-    ("free field against theory", "自由场与自由场理论解之差"),
-    ("model's corners against free field", "模型角部与自由场之差"),
-    ("the record at the place where it was taken", "记录在其观测位置的再现"),
+    ("free field against one-dimensional theory", "自由场与自由场理论解之差"),
+    ("motion at the model's corners against the free field", "模型角部与自由场之差"),
+    ("computed motion at the record's place against the record", "记录在其观测位置的再现"),
     (
         "it was taken on other ground than the model's, the layers of motion.site",
         "记录取自模型以外的地层，即 motion.site 给定的地层",
@@ -157,7 +154,7 @@ pub const TEXTS: Texts = &[
         "模型竖向棱边处地表和底面的速度与自由场柱“{column}”速度之差，除以后者的峰值：可能原因是侧边界约束或消耗自由场、洞室离侧边界太近（请加大 `sides`），或地层倾斜、地表有坡、两侧地层不同，而模型外按水平延伸",
     ),
     // Energy.
-    ("energy error over the largest energy held", "能量误差与最大持有能量之比"),
+    ("energy error over the largest energy in the model", "能量误差与最大持有能量之比"),
     ("a law books nothing of what it dissipates: {bodies}", "有本构不记录其耗散的能量：{bodies}"),
     ("{law} of {body}", "{body} 的 {law}"),
     ("nothing moves beyond the round-off of what was stored before", "运动未超出此前储存能量的舍入误差"),
@@ -173,7 +170,7 @@ pub const TEXTS: Texts = &[
         "各数据行中的最大值，与最终耗散总量之比：对该体单元所做的功减去其持有、耗散和产生的能量；一步内突增的损伤会留下少量差值，随步长减小而减小",
     ),
     ("no law dissipates", "没有耗散能量的本构"),
-    ("energy created by laws over energy dissipated", "本构产生的能量与耗散能之比"),
+    ("energy created by material laws over energy dissipated", "本构产生的能量与耗散能之比"),
     (
         "largest rise of what closed strain loops of cracked concrete gave out; split = \"compliance\" cannot",
         "开裂混凝土在闭合应变循环中释放能量的最大增量；split = \"compliance\" 不会出现",
@@ -220,7 +217,7 @@ pub const TEXTS: Texts = &[
     ("fracture energy, {body}", "断裂能，{body}"),
     ("cracks dissipate it whatever the size of the element", "无论单元大小，裂缝都耗散该能量"),
     ("{check}, {body}", "{check}，{body}"),
-    ("strength at corners over that of the fracture energy", "角部强度与断裂能所对应强度之比"),
+    ("strength at corners over that by the fracture energy", "角部强度与断裂能所对应强度之比"),
     ("no concrete drops to a plateau as it cracks", "没有开裂时骤降至残余平台的混凝土"),
     (
         "nothing of it has cracked, though a plateau makes corners too weak",

@@ -4,10 +4,10 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     (
-        "{count} further structures that fared no worse; of them {worst}",
+        "{count} more structures, none worse; of these {worst}",
         "另有 {count} 个结构，情况不比以上更差；其中 {worst}",
     ),
-    ("Does the lining stand?", "衬砌能否经受住地震？"),
+    ("Does the lining withstand the earthquake?", "衬砌能否经受住地震？"),
     ("Is the lining whole when the stages are done?", "施工完成时衬砌是否完好？"),
     ("Cannot be said: there is no summary of the run.", "无法判断：没有本次计算的摘要。"),
     ("Cannot be said: the run failed.", "无法判断：计算失败。"),
@@ -25,10 +25,7 @@ pub const TEXTS: Texts = &[
         "已受损：裂缝贯穿衬砌厚度，并有块体脱离。块体是否掉落，本模型不作追踪。",
     ),
     ("It is cracked, but nowhere through its thickness.", "已开裂，但没有一处贯穿厚度。"),
-    (
-        "It is undamaged as computed, but the checks do not vouch for that.",
-        "计算结果为未损伤，但自检不能为此作保。",
-    ),
+    ("It is undamaged as computed, but some checks fail.", "计算结果为未损伤，但部分检查未通过。"),
     ("It is undamaged; no earthquake has come.", "未损伤；尚未经历地震。"),
     ("It is undamaged.", "未损伤。"),
     ("The run left no summary, so nothing is checked.", "本次计算没有留下摘要，因此未作任何检查。"),
@@ -36,8 +33,8 @@ pub const TEXTS: Texts = &[
     ("The run was stopped before its end.", "计算在结束前被中止。"),
     ("The run is done, but nothing was checked.", "计算已完成，但未作任何检查。"),
     (
-        "The run can be trusted as far as it checks itself: {passed} of {judged} checks pass.",
-        "就自检而言计算可信：{judged} 项检查中 {passed} 项通过。",
+        "{passed} of {judged} checks of the run pass: none warns.",
+        "{judged} 项检查中 {passed} 项通过，无警告。",
     ),
     (
         "The run is done; {passed} of {judged} checks pass. Look at the other first: {check}.",
@@ -77,6 +74,10 @@ pub const TEXTS: Texts = &[
         "Interface {name}: opened over {opened} of its area, slid nowhere.",
         "接触面 {name}：张开面积占 {opened}，没有滑移。",
     ),
+    ("Reinforcement of {name}: no bar yielded.", "{name} 的钢筋：均未屈服。"),
+    ("Reinforcement of {name}: bars yielded, none broke.", "{name} 的钢筋：有屈服，无拉断。"),
+    ("Reinforcement of {name}: bars yielded and broke.", "{name} 的钢筋：有屈服并有拉断。"),
+    ("in thrust and moment", "轴力与弯矩"),
     ("Bolts {name}: none of {all} yielded.", "锚杆 {name}：{all} 根均未屈服。"),
     (
         "Bolts {name}: {yielded} of {all} yielded, none broke.",

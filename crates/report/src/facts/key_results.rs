@@ -56,7 +56,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     if let Some((group, cracks, widest)) = wider {
         let note = say!(
             language,
-            "{place} at {time}; how wide a single crack is goes by the mesh",
+            "{place} at {time}; the width of a single crack depends on the mesh",
             place = group,
             time = at(widest.time)
         );
@@ -68,21 +68,16 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         key_result::hardest(source, &facts)
             .map(|(value, note)| card(say!(language, "Force of the bolt nearest to yield"), value, note)),
     );
-    // As the check has it; summaries of other versions leave it to the table.
-    let checked = facts.soundness.trust.iter().find(|line| line.id == "energy_error");
-    let checked = checked.and_then(|line| Some((*line.numbers.get("error")?, line.value)));
+    // The check of the balance says it; only summaries without that leave it to the table.
+    let checked = facts.soundness.trust.iter().any(|line| line.id == "energy_error");
     let of_table = || source.energy.as_ref().ok().and_then(worst_error);
-    if let Some((error, ratio)) = checked.or_else(of_table) {
+    if let Some((error, ratio)) = (!checked).then(of_table).flatten() {
         let energy = source.quantity(Kind::Energy, error);
-        let note = match checked {
-            Some(_) => say!(language, "{energy}, of the largest energy held", energy = energy),
-            None => say!(
-                language,
-                "{energy}, of the largest energy held; from energy.csv, with ⅛Δt²aᵀMa, which belongs to the scheme and \
-                 which the check leaves out",
-                energy = energy
-            ),
-        };
+        let note = say!(
+            language,
+            "{energy}, of the largest energy held; from energy.csv, with ⅛Δt²aᵀMa, which belongs to the scheme and which the check leaves out",
+            energy = energy
+        );
         cards.push(card(
             say!(language, "Largest error of the energy balance"),
             format!("{}\u{a0}%", figures(100.0 * ratio, 2)),

@@ -1,7 +1,6 @@
 //! The numbers behind the section of the free field: the wave at the times of the rows, and how far histories are apart.
 //!
-//! A difference is over the largest component of what it is measured by, at surface or base: the norm of the checks 'free field
-//! against theory' and 'model's corners against free field', though of rows and not of steps.
+//! A difference is over the largest component of what it is measured by, at surface or base: the norm of the checks 'free field against one-dimensional theory' and 'motion at the model's corners against the free field', though of rows and not of steps.
 
 use tremolite_results::{Station, Velocities};
 

@@ -185,8 +185,7 @@ pub fn explained(language: Language, found: &FreeField) -> String {
     text.push_str(&say!(
         language,
         " A difference is the largest of any row, over the largest component of the column, or of its theory, at surface or \
-         base: as in the checks 'model's corners against free field', which takes every step and may find more, and 'free \
-         field against theory'. The incident wave is what comes up through the base; at the base it stands together with what \
+         base: as in the checks 'motion at the model's corners against the free field', which takes every step and may find more, and 'free field against one-dimensional theory'. The incident wave is what comes up through the base; at the base it stands together with what \
          comes back from above. A surface moves twice the incident wave where nothing is layered, damped or yields."
     ));
     if found.corners.is_empty() && found.model.is_some() {

@@ -57,7 +57,7 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
     if let Some(check) = check {
         caption.push_str(&say!(
             language,
-            " They differ by at most {share} of the record's peak (check 'the record at the place where it was taken').",
+            " They differ by at most {share} of the record's peak (check 'computed motion at the record's place against the record').",
             share = percent(check.value)
         ));
     }

@@ -68,14 +68,37 @@ fn table(source: &Source, facts: &Summary) -> TextTable {
             row.push(Cell::words(place(source, used)));
             rows.push(row);
         }
+        if let Some(crack) = of.crack.as_ref().filter(|crack| crack.station > 0) {
+            let mut row = vec![Cell::words(""), Cell::words(say!(language, "crack width left"))];
+            row.push(Cell::number(left(source, of)));
+            row.extend(crack.forces.map(|force| Cell::number(kilo(force))));
+            let [x, y, z] = coordinates(crack.at);
+            row.push(Cell::number("–"));
+            row.push(Cell::words(say!(language, "({x}, {y}, {z}) at the end", x = x, y = y, z = z)));
+            rows.push(row);
+        }
     }
     TextTable { head: vec![head], rows }
+}
+
+fn coordinates(at: [f64; 3]) -> [String; 3] {
+    at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")))
+}
+
+/// The widest crack that is left in a lining's sections with bars.
+pub fn left(source: &Source, of: &SectionStrength) -> String {
+    match &of.crack {
+        Some(crack) if crack.station > 0 && crack.width.is_nan() => say!(source.language, "bars yield"),
+        Some(crack) if crack.station > 0 && crack.width == 0.0 => say!(source.language, "none"),
+        Some(crack) if crack.station > 0 => source.quantity(Kind::Opening, crack.width),
+        _ => "–".to_owned(),
+    }
 }
 
 /// Where and when a station used most.
 pub fn place(source: &Source, used: &Used) -> String {
     let language = source.language;
-    let [x, y, z] = used.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")));
+    let [x, y, z] = coordinates(used.at);
     match used.time.is_finite() {
         true => {
             let time = moment(used.time, source.duration());
@@ -113,6 +136,21 @@ pub fn rule(source: &Source, lining: &str, of: &SectionStrength) -> String {
             true => say!(language, " Plain sections count their tensile strength."),
             false => say!(language, " Plain sections count no tensile strength."),
         });
+    }
+    if let Some(crack) = of.crack.as_ref().filter(|crack| crack.station > 0 && crack.width != 0.0) {
+        text.push_str(&say!(
+            language,
+            " Crack width left: EN 1992-1-1 7.3.4 with N and M at the end, the section cracked, lasting load (k_t 0.4); σ_s {stress}, s_r,max {spacing}.",
+            stress = strength(crack.stress),
+            spacing = source.quantity(Kind::Opening, crack.spacing),
+        ));
+        if crack.without > 0 {
+            text.push_str(&say!(
+                language,
+                " For {without} stations with bars the clause has no width: a face without bars opens.",
+                without = crack.without
+            ));
+        }
     }
     if of.yields {
         text.push_str(&say!(

@@ -8,7 +8,7 @@ use crate::facts::key_results::largest_displacement;
 use crate::language::say;
 use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
-use crate::section_forces::used::{place, shown};
+use crate::section_forces::used::{left, place, shown};
 use crate::source::Source;
 use crate::verdict::short_names::percent;
 
@@ -71,7 +71,19 @@ fn displacement(source: &Source, summary: &Summary) -> Found {
     Some((size, source.quantity(Kind::Displacement, size), note))
 }
 
+/// The widest crack of a lining that cracks, or by the code of one with bars.
 fn crack(source: &Source, summary: &Summary) -> Found {
+    let coded = summary.parts.sections.iter().filter_map(|(name, of)| {
+        let crack = of.crack.as_ref().filter(|crack| crack.station > 0)?;
+        // Where bars yield there is no number.
+        let width = if crack.width.is_nan() { f64::INFINITY } else { crack.width };
+        let note = say!(source.language, "{lining}, left at the end, by EN 1992-1-1 7.3.4", lining = name);
+        Some((width, left(source, of), note))
+    });
+    modelled(source, summary).into_iter().chain(coded).max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+fn modelled(source: &Source, summary: &Summary) -> Found {
     let all = summary.parts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
     let (name, cracks) = all.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a })?;
     match cracks.widest {

@@ -1,11 +1,11 @@
 //! Materials, damping, boundaries and stages in a line each.
 
-use tremolite_results::Summary;
+use tremolite_results::{SectionStrength, Summary};
 
 use crate::facts::materials;
 use crate::facts::{Fact, card};
 use crate::language::{Language, say};
-use crate::quantities::scale::{count, span};
+use crate::quantities::scale::{count, figures, span, trimmed};
 use crate::source::Source;
 
 /// Stages that are named; of more their number is told beside the first and the last.
@@ -22,6 +22,35 @@ const TOLD: [&str; 8] = [
     "gsi",
 ];
 
+/// By which code sections are judged, with its factors and the bars.
+fn sections(language: Language, of: &SectionStrength) -> String {
+    let factor = |x: f64| trimmed(&figures(x, 3));
+    let mut parts = vec![of.code.clone()];
+    parts.extend((!of.grade.is_empty()).then(|| of.grade.clone()));
+    let each = [
+        ("γ_c", of.factors.gamma_c),
+        ("γ_s", of.factors.gamma_s),
+        ("α_cc", of.factors.alpha_cc),
+        ("α_ct", of.factors.alpha_ct),
+        ("γ_d", of.factors.gamma_d),
+    ];
+    parts.extend(each.into_iter().map(|(name, x)| format!("{name} {}", factor(x))));
+    let area = |x: f64| format!("{:.0}", 1e6 * x);
+    parts.push(match of.borders.iter().map(|b| b.bars).find(|bars| *bars != [0.0; 2]) {
+        Some([inner, outer]) => {
+            say!(
+                language,
+                "bars {inner} inside, {outer} mm²/m outside",
+                inner = area(inner),
+                outer = area(outer)
+            )
+        }
+        None if of.reinforced == 0 => say!(language, "no bars"),
+        None => say!(language, "with bars"),
+    });
+    parts.join(&say!(language, ", "))
+}
+
 /// What the model is, line by line.
 pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     let language = source.language;
@@ -34,6 +63,18 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         let label = say!(language, "Material {name}", name = material.name);
         let text = say!(language, "{values}; damping:", values = parts.join(&say!(language, ", ")));
         facts.push(card(label, text, material.damping.clone()));
+    }
+    // A line for each way in which linings are judged.
+    let mut judged: Vec<(String, Vec<&str>)> = Vec::new();
+    for (lining, of) in &summary.parts.sections {
+        let text = sections(language, of);
+        match judged.iter_mut().find(|(known, _)| *known == text) {
+            Some((_, linings)) => linings.push(lining),
+            None => judged.push((text, vec![lining])),
+        }
+    }
+    for (text, linings) in judged {
+        facts.push(card(say!(language, "Sections"), text, linings.join(&say!(language, ", "))));
     }
     let boundaries = &summary.computed.boundaries;
     if !boundaries.is_empty() {

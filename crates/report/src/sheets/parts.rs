@@ -5,7 +5,7 @@ use tremolite_results::{GroupDamage, Summary};
 use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::damage::opening;
 use crate::language::say;
-use crate::section_forces::used::shown;
+use crate::section_forces::used::{left, shown};
 use crate::source::Source;
 use crate::verdict::short_names::percent;
 use crate::verdict::surroundings;
@@ -26,6 +26,11 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
         ]
         .map(Head::number),
     );
+    // By the code, of linings with bars alone.
+    let lasting = summary.parts.sections.values().any(|of| of.crack.is_some());
+    if lasting {
+        head.push(Head::number(say!(language, "crack width left, by code")));
+    }
     let mut names: Vec<&String> = summary.parts.sections.keys().collect();
     let concrete = |group: &&String| {
         let of: Option<&GroupDamage> = summary.parts.damage.get(*group);
@@ -67,6 +72,10 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
             )),
             None => Cell::number(none()),
         });
+        if lasting {
+            let of = summary.parts.sections.get(name);
+            row.push(Cell::number(of.map_or_else(none, |of| left(source, of))));
+        }
         row
     });
     let rows: Vec<Vec<Cell>> = rows.collect();

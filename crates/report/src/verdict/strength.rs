@@ -26,30 +26,36 @@ fn most(of: &SectionStrength) -> Option<f64> {
 /// The answer with its colour; nothing where nothing is judged so.
 pub fn answer(source: &Source, facts: &Summary) -> Option<(&'static str, String)> {
     let language = source.language;
-    let most = judged(facts).filter_map(|(_, of)| most(of)).max_by(f64::total_cmp)?;
+    let worst = judged(facts).filter_map(|(_, of)| Some((most(of)?, of)));
+    let (most, of) = worst.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let bending = of.bending.as_ref().is_some_and(|used| used.value.is_nan() || used.value >= most);
+    let way = if bending { say!(language, "in thrust and moment") } else { say!(language, "in shear") };
     Some(match most <= 1.0 {
         true if facts.warnings() > 0 || facts.judged() == 0 => (
             "warn",
             say!(
                 language,
-                "Its sections bear what was computed, but the checks do not vouch for that: utilisation {most}.",
-                most = shown(most)
+                "Its sections resist the computed forces, but some checks fail: utilisation {most} {way}.",
+                most = shown(most),
+                way = way
             ),
         ),
         true => (
             "good",
             say!(
                 language,
-                "Its sections bear what is asked of them: utilisation {most}.",
-                most = shown(most)
+                "Its sections resist the computed forces: utilisation {most} {way}.",
+                most = shown(most),
+                way = way
             ),
         ),
         false => (
             "bad",
             say!(
                 language,
-                "Its sections do not bear what is asked of them: utilisation {most}.",
-                most = shown(most)
+                "Its sections do not resist the computed forces: utilisation {most} {way}.",
+                most = shown(most),
+                way = way
             ),
         ),
     })

@@ -79,7 +79,7 @@ pub fn recorded(root: &Path) -> ResultFolder {
     let mut summary = Summary::read(&folder.summary()).unwrap();
     (summary.computed.motion.kind, summary.computed.motion.factor) = ("surface".into(), f64::NAN);
     summary.computed.motion.deconvolved = Some(site());
-    let name = said!("the record at the place where it was taken");
+    let name = said!("computed motion at the record's place against the record");
     summary.soundness.trust.push(TrustLine::at_most("record_at_its_place", name, 0.0173, 0.05, ""));
     summary.write(&folder.summary()).unwrap();
     folder
@@ -261,7 +261,7 @@ fn what_came_out_at_its_place_lies_over_the_record() {
     let folder = recorded(temp.path());
     let whole = page(&folder);
     assert!(whole.contains(
-        "They differ by at most 1.7 % of the record's peak (check 'the record at the place where it was taken')."
+        "They differ by at most 1.7 % of the record's peak (check 'computed motion at the record's place against the record')."
     ));
     let svg = drawing(&folder, "record.svg").unwrap();
     for text in
@@ -283,7 +283,7 @@ fn what_came_out_at_its_place_lies_over_the_record() {
     };
     // A check that was not made has no number.
     change(&folder, |summary| {
-        let name = said!("the record at the place where it was taken");
+        let name = said!("computed motion at the record's place against the record");
         summary.soundness.trust[0] =
             TrustLine::not_applicable("record_at_its_place", name, said!("not all stages are done"));
     });

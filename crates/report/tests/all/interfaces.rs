@@ -42,7 +42,7 @@ fn the_table_has_every_interface_with_shares_and_places() {
         "100\u{a0}m² <span class=\"note\">25\u{a0}%",
         "40\u{a0}m² <span class=\"note\">10\u{a0}%",
         "at\u{a0}(−1.25,\u{a0}4,\u{a0}8)",
-        "beyond 4\u{a0}MPa, from which on the law is straight",
+        "above 4\u{a0}MPa, where the stiffness is constant",
         "−0.00200\u{a0}kJ",
         "lining: the interface slid over 25.0 % of its 400 m²",
         "Largest slip of an interface",

@@ -94,7 +94,7 @@ fn no_answer_is_green_where_checks_warn() {
         || finding("adit.lining", Severity::Through, &[("share_cracked", 0.05), ("crack_opening", 0.021)]);
     for (findings, pass, class, english, chinese) in [
         (vec![sound()], true, "good", "It is undamaged.", "未损伤。"),
-        (vec![sound()], false, "warn", "the checks do not vouch for that", "自检不能为此作保"),
+        (vec![sound()], false, "warn", "some checks fail", "部分检查未通过"),
         (vec![cracked()], true, "warn", "nowhere through its thickness", "没有一处贯穿厚度"),
         (vec![cracked()], false, "warn", "nowhere through its thickness", "没有一处贯穿厚度"),
         (vec![through()], false, "bad", "cracks run through its thickness.", "裂缝贯穿衬砌厚度。"),

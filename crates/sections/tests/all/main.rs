@@ -1,6 +1,7 @@
 //! Tests of the crate's interface.
 
 mod border;
+mod crack;
 mod independent;
 mod plain;
 mod shear;

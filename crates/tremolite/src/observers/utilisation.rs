@@ -1,4 +1,5 @@
-//! What sections of linings use of their strength: at the end of stages, and most over the steps of the shaking.
+//! What sections of linings use of their strength: at the end of stages, and most over the steps of the shaking; and the forces that are
+//! left at its end.
 
 use super::observer::{Event, Observer, Setting, StageSeen, View, Wants};
 use super::section_forces::{SectionForces, slot_in};
@@ -18,12 +19,16 @@ use tremolite_results::utilisation::{UtilisationRow, write_utilisation};
 use tremolite_results::{ResultFolder, SectionStrength, Used};
 use tremolite_sections::{Capacity, Layer};
 
+mod left;
+
 /// By stage and station N, M, Q and both utilisations, stage behind stage.
 const STAGES: &str = "utilisation of stages";
 /// By station over the shaking, of thrust with moment and then of shear: the largest utilisation, its time, N, M, Q and the other
 /// utilisation there and then.
 const MOST: &str = "utilisation";
-/// Numbers a station has in each of the two.
+/// By station N and M of the last step that was seen.
+const LAST: &str = "section forces of the last step";
+/// Numbers a station has in each of the first two.
 const OF_STAGE: usize = 5;
 const OF_MOST: usize = 12;
 
@@ -37,6 +42,8 @@ struct Judged {
     number: u32,
     station: Station,
     bars: Vec<Steel>,
+    /// The same as layers of the section.
+    layers: Vec<Layer>,
     /// Which of the plan's rules.
     by: usize,
     /// What it bears before the shaking, and in it.
@@ -123,6 +130,7 @@ impl Utilisation {
                 }
             }
         }
+        memory.insert(LAST.into(), now.iter().flat_map(|[n, m, ..]| [*n, *m]).collect());
     }
 
     fn write(&self, memory: &Memory) -> Result<(), RunError> {
@@ -193,6 +201,7 @@ fn judged(model: &Model, all: &SectionForces, rules: &[JudgedBy]) -> Vec<Judged>
             by,
             still: capacity(1.0),
             shaking: capacity(rule.dynamic),
+            layers,
         });
     }
     found
@@ -290,6 +299,9 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
                 }
             }
         }
+        left::crack(of, by, station, left::forces(plan, judged.len(), memory, k));
+        left::count(of, station);
     }
+    all.values_mut().for_each(left::sort);
     all
 }

@@ -192,7 +192,7 @@ pub fn warnings(case: &Case, laws: &[InterfaceLaw]) -> Vec<Diagnostic> {
         let Some(contact) = &written.contact else { continue };
         let Some(law) = laws.iter().find(|law| law.info.name == contact.law.value) else { continue };
         // Stiff enough for any bond, where the stiffness is left out.
-        let choice = Choice { stiffness: STIFF, pressure: Interface::PRESSURE };
+        let choice = Choice { stiffness: STIFF, least: 0.0, pressure: Interface::PRESSURE };
         let Ok(built) = (law.build)(&(law.info.chosen)(&contact.parameters, &choice)) else { continue };
         let remedy = "change the interface's parameters if this is not meant";
         warnings

@@ -58,6 +58,7 @@ pub fn build(
                 tension: section.plain_tension,
             },
             dynamic: section.dynamic,
+            bar_diameter: section.bar_diameter.as_ref().map(|diameter| diameter.value),
         });
     }
     all

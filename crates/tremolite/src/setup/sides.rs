@@ -146,7 +146,7 @@ pub fn warnings(case: &Case) -> Vec<Diagnostic> {
         let message = format!(
             "the {word} sides across {name} {what}: in homogeneous ground velocities were wrong by 80 to 130 % of the surface's peak with such sides"
         );
-        let remedy = "use \"free-field\"; the check 'model's corners against free field' says what is left";
+        let remedy = "use \"free-field\"; the check 'motion at the model's corners against the free field' says what is left";
         warnings.push(Diagnostic::at(side, message, remedy));
     }
     // One word for both sides is one warning.

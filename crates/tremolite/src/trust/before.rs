@@ -24,16 +24,13 @@ const LOCAL_ID: &str = "initial_stress_change_local";
 const UNEVEN_ID: &str = "initial_motion_local";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
-    let held_name =
-        || said!("held besides weight, loads and reactions after the last stage, over all contributions");
-    let change_name = || said!("change of the initial stress on the way to equilibrium over that stress");
-    let initial_name = || said!("motion to the initial equilibrium over that of the stages");
+    let held_name = || said!("unreleased force after the last stage over all forces");
+    let change_name = || said!("change of the initial stress by the initial equilibrium, relative");
+    let initial_name = || said!("displacement of the initial equilibrium over that of the stages");
     let local_name =
-        || said!("largest change of an element's initial stress on the way to equilibrium over that stress");
+        || said!("largest change of an element's initial stress by the initial equilibrium, relative");
     let uneven_name = || {
-        said!(
-            "largest difference of motion across an element or an interface to the initial equilibrium over that of the stages"
-        )
+        said!("largest relative displacement across an element or interface, initial equilibrium over stages")
     };
     let stages = &evidence.outcome.stages;
     let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
@@ -132,7 +129,7 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
         let worst = outcome.stages.iter().map(|stage| stage.ratio).fold(0.0, f64::max);
         facts.push(Fact::new(
             "stages_out_of_balance",
-            said!("out of balance over all contributions, worst of the stages"),
+            said!("out-of-balance force over all forces, worst stage"),
             worst,
             "",
             said!("each stage goes on until this is below `initial.tolerance`, and little motion is left"),
@@ -145,7 +142,7 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
             "of {pairs} that are there from the start: they slid or opened on the way to the initial equilibrium",
             pairs = pairs.to_string(),
         );
-        let name = said!("pairs of interfaces that the initial stress brings beyond their strength");
+        let name = said!("interface pairs whose strength the initial stress exceeds");
         let fact = Fact::new("initial_pairs_beyond_strength", name, beyond as f64, "", note);
         facts.push(fact.with("pairs", pairs as f64));
     }

@@ -30,7 +30,7 @@ fn slip_name() -> Said {
 }
 
 fn balance_name() -> Said {
-    said!("force of bonds beyond their strength over the largest of bolts")
+    said!("bond force beyond strength over the largest bolt force")
 }
 
 /// The largest of some shares, with what else is to be said of it and the bolt: group and number.

@@ -12,7 +12,7 @@ pub const LEAST: f64 = 0.85;
 const ID: &str = "strength_at_corners";
 
 fn name() -> Said {
-    said!("strength at corners over that of the fracture energy")
+    said!("strength at corners over that by the fracture energy")
 }
 
 /// The extent \[m\] that half of them exceed or have: in a lining that comes to pieces many cracks run along it, and have its

@@ -19,7 +19,7 @@ pub(crate) fn left_after(motion: &Motion, time: f64) -> f64 {
 
 pub(super) fn line(evidence: &Evidence) -> TrustLine {
     const ID: &str = "motion_not_run";
-    let name = said!("share of the motion that comes after the end of the run");
+    let name = said!("share of the motion after the end of the run");
     let Some(incident) = &evidence.model.boundaries.incident else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };

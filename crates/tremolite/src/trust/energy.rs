@@ -55,7 +55,7 @@ fn noise(evidence: &Evidence) -> f64 {
 /// The largest |error| of all rows over the largest energy that was held in one.
 fn error(evidence: &Evidence) -> TrustLine {
     const ID: &str = "energy_error";
-    let name = said!("energy error over the largest energy held");
+    let name = said!("energy error over the largest energy in the model");
     let bodies = evidence.model.user_bodies().iter();
     let unbooked = bodies.filter(|body| {
         let columns = body.material.info().history;
@@ -157,7 +157,7 @@ fn of_body(id: String, name: Said, books: &BodyBooks, error: f64, round_off: f64
 
 fn created(evidence: &Evidence) -> TrustLine {
     const ID: &str = "energy_created_by_laws";
-    let name = said!("energy created by laws over energy dissipated");
+    let name = said!("energy created by material laws over energy dissipated");
     // Its largest rise: what loops took before does not pay for what they give out later.
     let mut least = 0.0_f64;
     let created = largest(column(evidence, Line::Created).iter().map(|&now| {

@@ -15,7 +15,7 @@ fn unstressed_name() -> Said {
 }
 
 fn created_name() -> Said {
-    said!("energy created by interface laws over that of friction")
+    said!("energy created by interface laws over energy dissipated by friction")
 }
 
 /// Checks of the shaking alone.
@@ -39,11 +39,11 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
             ("interface_closure", said!("largest closure of the interface over its limit")),
             ("interface_slip", said!("largest slip over element size")),
             ("interface_gap", said!("largest gap over element size")),
-            ("interface_straight", said!("interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness")),
-            ("interface_impacts", said!("energy found at impacts over energy supplied")),
-            ("interface_step", said!("time step times frequency of the stiffest pair")),
+            ("interface_straight", said!("interface pairs under more pressure than pressure_for_step")),
+            ("interface_impacts", said!("energy error of impacts over energy supplied")),
+            ("interface_step", said!("time step × frequency of the stiffest contact pair")),
             ("interface_ringing", seam::ringing_name()),
-            ("interface_chosen", said!("closure of the interface over that of the elements beside it")),
+            ("interface_chosen", said!("compliance of the interface over that of the adjacent elements")),
         ]
         .map(line)
         .into();

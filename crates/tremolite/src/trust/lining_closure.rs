@@ -15,7 +15,7 @@ const ID: &str = "lining_closure";
 const FLAT: f64 = 0.05;
 
 fn name() -> Said {
-    said!("closure of a lining's interface over that of the opening")
+    said!("compliance of a lining's interface over that of the ground round the opening")
 }
 
 /// A line for each interface between a lining and the ground, whose stiffness was given.

@@ -23,7 +23,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
 }
 
 fn first(evidence: &Evidence) -> TrustLine {
-    let name = said!("share of the work of the first step that moves nodes that laws dissipated");
+    let name = said!("share of the first loading step's work that was dissipated");
     match first_step(&evidence.outcome.state.observers) {
         None => TrustLine::not_applicable(FIRST_ID, name, said!("no stage moved anything")),
         Some(share) => TrustLine::at_most(FIRST_ID, name, share, MOST_FIRST, "").with_note(said!(
@@ -33,7 +33,7 @@ fn first(evidence: &Evidence) -> TrustLine {
 }
 
 fn snap(evidence: &Evidence) -> TrustLine {
-    let name = said!("largest share of the energy held that a step let go at once");
+    let name = said!("largest share of the stored energy released in one step");
     match let_go(&evidence.outcome.state.observers) {
         None => TrustLine::not_applicable(LET_GO_ID, name, said!("no stage moved anything twice")),
         Some((share, stage)) => {
@@ -52,7 +52,7 @@ fn snap(evidence: &Evidence) -> TrustLine {
 }
 
 fn slow(evidence: &Evidence) -> TrustLine {
-    let name = said!("work that damping took on the way to rest over the work of what stages moved");
+    let name = said!("work dissipated by relaxation damping over work of the prescribed displacements");
     let Some((work, damped)) = damped(&evidence.outcome.state.observers) else {
         return TrustLine::not_applicable(ID, name, said!("no stage moved anything"));
     };

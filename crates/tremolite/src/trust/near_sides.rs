@@ -12,7 +12,7 @@ const CHANGE: f64 = 0.08;
 const ID: &str = "near_sides";
 
 pub(super) fn line(evidence: &Evidence) -> TrustLine {
-    let name = said!("change of stress at the model's sides and base over the initial stress");
+    let name = said!("stress change at the model's sides and base over the initial stress");
     let none = |why: Said| TrustLine::not_applicable(ID, name.clone(), why);
     if evidence.near.is_empty() {
         return none(said!("no side that stands for ground that goes on lies beside an opening"));

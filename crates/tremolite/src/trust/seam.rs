@@ -3,12 +3,10 @@
 use crate::evidence::Evidence;
 use crate::observers::{Interfaces, Ringing};
 use crate::places;
-use tremolite_engine::hexahedra::hex;
-use tremolite_engine::model::Model;
-use tremolite_engine::{Seam, Stage};
+use tremolite_engine::Seam;
+use tremolite_engine::give::{MOST_CLOSURE, give_of_elements};
 use tremolite_kernels::contact::PairSeen;
 use tremolite_mesh::Mesh;
-use tremolite_mesh::topology::vector_areas;
 use tremolite_results::{Said, TrustLine, said, snake};
 
 /// Closure over the largest: beyond, k_n is sixteen times k_n0, and what the joint still closes says more of the law's end
@@ -20,9 +18,6 @@ const SLIP: f64 = 0.1;
 const GAP: f64 = 0.1;
 /// Energy found or lost at impacts over all that was supplied.
 const IMPACTS: f64 = 0.01;
-/// Closure of an interface whose stiffness was chosen over what the elements beside it give at the same pressure: in the first
-/// case cracked volumes settle below this, and are a third smaller at 0.8.
-const CHOSEN: f64 = 0.1;
 /// Acceleration above the input's band over that below, of pairs that slide: of a block on a slope 0.08 with the default's viscosity and
 /// 2.0 with a quarter of it, with which it still slides as far; 11 where it slides 3 % too far, 44 where 17 %.
 const RINGING: f64 = 1.0;
@@ -97,12 +92,12 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let straight = match contacts.law.straight_from() {
         None => TrustLine::not_applicable(
             id("interface_straight"),
-            name(said!("interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness")),
-            said!("the law is straight throughout"),
+            name(said!("interface pairs under more pressure than pressure_for_step")),
+            said!("the law is linear"),
         ),
         Some(limit) => TrustLine::at_most(
             id("interface_straight"),
-            name(said!("interface pairs pressed beyond the hyperbola, where closure goes on at constant stiffness")),
+            name(said!("interface pairs under more pressure than pressure_for_step")),
             totals.beyond as f64,
             0.0,
             "",
@@ -122,7 +117,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let supplied = outcome.state.ledger.supplied;
     let gained = Interfaces::largest_gain(&outcome.state.observers, number);
     let (impacts_id, impacts_name) =
-        (id("interface_impacts"), name(said!("energy found at impacts over energy supplied")));
+        (id("interface_impacts"), name(said!("energy error of impacts over energy supplied")));
     let impacts = match evidence.outcome.shaken {
         true => TrustLine::at_most(impacts_id, impacts_name, gained / supplied, IMPACTS, "")
             .with("impact_gain", gained)
@@ -139,7 +134,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let product = if product > seam.limit { product * (1.0 - ROUND_OFF) } else { product };
     let step = TrustLine::at_most(
         id("interface_step"),
-        name(said!("time step times frequency of the stiffest pair")),
+        name(said!("time step × frequency of the stiffest contact pair")),
         product,
         seam.limit,
         "",
@@ -151,20 +146,20 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
         pair = places::pair(&model.mesh, seam, contacts.stiffest_pair),
     ));
 
-    let chosen_name = name(said!("closure of the interface over that of the elements beside it"));
+    let chosen_name = name(said!("compliance of the interface over that of the adjacent elements"));
     let chosen = if contacts.chosen {
         let stiffness = contacts.law.stiffness(0.0)[0];
         TrustLine::at_most(
             id("interface_chosen"),
             chosen_name,
             1.0 / (stiffness * give_of_elements(evidence.model, seam)),
-            CHOSEN,
+            MOST_CLOSURE,
             "",
         )
         .with("normal_stiffness", stiffness)
         .with_note(said!(
-            "at equal pressure, unloaded; the program chose the stiffness so that the interface does not set the time step, and it \
-             is so soft that results hang on it: give `normal_stiffness` of a test, or a shorter `time_step`"
+            "at equal pressure, unloaded; the program chose the stiffness. Above the limit results depend on it: give \
+             `normal_stiffness` from a test, or leave `time_step` out"
         ))
     } else {
         TrustLine::not_applicable(id("interface_chosen"), chosen_name, said!("its stiffness was given"))
@@ -207,29 +202,7 @@ fn ringing(evidence: &Evidence, number: usize) -> TrustLine {
 }
 
 pub(super) fn ringing_name() -> Said {
-    said!("motion above the input's band beside the interface")
-}
-
-/// Σ h/(λ + 2μ) \[m/Pa\] of the elements on both sides, h their extent from the face, mean over the area.
-fn give_of_elements(model: &Model, seam: &Seam) -> f64 {
-    let (mut sum, mut whole) = (0.0, 0.0);
-    let standing = seam.faces.iter().zip(&seam.standing).filter(|(_, life)| life.holds(Stage::Shaking));
-    for (faces, _) in standing {
-        let vector = vector_areas(&model.mesh, &faces[..1]).into_values();
-        let vector = vector.fold([0.0; 3], |sum, a| [0, 1, 2].map(|i| sum[i] + a[i]));
-        let area = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
-        for face in faces {
-            let element = face.element as usize;
-            let (Some(body), Ok(hex)) = (model.elements.body_of[element], hex(&model.mesh, element)) else {
-                continue;
-            };
-            let moduli = model.bodies[body].material.moduli();
-            // The volume is the area times h.
-            sum += hex.volume / (moduli.lambda + 2.0 * moduli.mu);
-        }
-        whole += area;
-    }
-    sum / whole
+    said!("acceleration at the interface above the input's band over that in the band")
 }
 
 /// By pair, the shortest edge \[m\] of the faces around it.

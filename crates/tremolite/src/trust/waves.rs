@@ -20,11 +20,11 @@ pub(crate) const DRIFT: f64 = 0.1;
 
 /// Id and name of the checks of the free field.
 fn free_field_theory() -> (&'static str, Said) {
-    ("free_field_theory", said!("free field against theory"))
+    ("free_field_theory", said!("free field against one-dimensional theory"))
 }
 
 fn model_against_free_field() -> (&'static str, Said) {
-    ("model_against_free_field", said!("model's corners against free field"))
+    ("model_against_free_field", said!("motion at the model's corners against the free field"))
 }
 
 pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {
@@ -46,7 +46,7 @@ pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {
 
 pub(super) fn drift(evidence: &Evidence) -> TrustLine {
     const ID: &str = "input_drift";
-    let name = said!("input displacement at its end over its peak");
+    let name = said!("residual displacement of the input over its peak");
     let Some(incident) = &evidence.model.boundaries.incident else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };
@@ -89,7 +89,8 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
 
 /// Whether a record that was deconvolved comes out where it was taken.
 pub(super) fn record(evidence: &Evidence) -> Option<TrustLine> {
-    let (id, name) = ("record_at_its_place", said!("the record at the place where it was taken"));
+    let (id, name) =
+        ("record_at_its_place", said!("computed motion at the record's place against the record"));
     let none = |why: Said| Some(TrustLine::not_applicable(id, name.clone(), why));
     if evidence.plan.recorded.as_ref()?.corner.is_none() {
         return none(said!("it was taken on other ground than the model's, the layers of motion.site"));

@@ -209,7 +209,7 @@ fn print_interfaces(checked: &Checked) {
             interface.law, interface.pairs, interface.area
         ));
         let chosen = match (interface.chosen, &checked.job.motion) {
-            (true, Some(_)) => ", chosen so that impacts do not set the step",
+            (true, Some(_)) => ", chosen by the mesh and the step",
             (true, None) => ", chosen",
             (false, _) => "",
         };

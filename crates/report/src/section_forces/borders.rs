@@ -1,0 +1,98 @@
+//! Figure of moment over thrust against what the sections bear by their code, bars included.
+
+use tremolite_results::utilisation::UtilisationRow;
+use tremolite_results::{Border, SectionStrength};
+
+use crate::chapter::figure::Figure;
+use crate::drawing::axes::Axes;
+use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::ticks::Ticks;
+use crate::language::{Language, say};
+use crate::quantities::scale::{figures, trimmed};
+use crate::section_forces::stations::KILO;
+
+/// Colours of the lines, and of the points after the stages and in the shaking.
+const LINES: [usize; 3] = [1, 2, 4];
+const AFTER: usize = 3;
+const SHAKEN: usize = 6;
+
+/// The figure; nothing where no line or no point is known.
+pub fn figure(
+    language: Language,
+    lining: &str,
+    of: &SectionStrength,
+    rows: &[UtilisationRow],
+    suffix: &str,
+) -> Option<Figure> {
+    let point = |row: &UtilisationRow| (row.forces[0] * KILO, row.forces[1] * KILO);
+    let own = || rows.iter().filter(|row| row.lining == lining && row.forces.iter().all(|f| f.is_finite()));
+    let shaken: Vec<(f64, f64)> = own().filter(|row| row.when == "max").map(point).collect();
+    // Of each station the last of its stages.
+    let mut last: Vec<&UtilisationRow> = Vec::new();
+    for row in own().filter(|row| row.when != "max" && row.when != "max_shear") {
+        match last.last_mut() {
+            Some(before) if before.station == row.station => *before = row,
+            _ => last.push(row),
+        }
+    }
+    let after: Vec<(f64, f64)> = last.into_iter().map(point).collect();
+    if of.borders.is_empty() || shaken.is_empty() && after.is_empty() {
+        return None;
+    }
+    let mut curves: Vec<PlotCurve> =
+        of.borders.iter().zip(LINES).map(|(b, colour)| line(language, b, colour)).collect();
+    if !shaken.is_empty() {
+        let name = say!(language, "when each station uses most, while the ground shakes");
+        curves.push(PlotCurve::new(name, SHAKEN, Pen::Dots, shaken));
+    }
+    if !after.is_empty() {
+        curves.push(PlotCurve::new(say!(language, "when the stages are done"), AFTER, Pen::Dots, after));
+    }
+    let ((left, right), (low, high)) = plot::ranges(&curves);
+    let title = say!(language, "{lining}: N and M against the strength of the sections", lining = lining);
+    let mut svg = Svg::new(WIDTH);
+    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &curves);
+    let axes = Axes {
+        left: LEFT,
+        right: WIDTH - RIGHT,
+        top,
+        bottom: top + 320.0,
+        across: Ticks::around(left, right, 10),
+        up: Ticks::around(low, high, 7),
+    };
+    plot::draw(&mut svg, &axes, &curves);
+    let below = say!(language, "N (kN/m), tension positive; upwards M (kN\u{a0}m/m)");
+    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
+    let svg = svg.finish(axes.bottom + 42.0, &title, &below);
+    let caption = say!(
+        language,
+        "Design strength by {code}, bars included; each point is N and M of one instant. Inside its line a section bears them.",
+        code = of.code
+    );
+    Some(Figure { heading: title, file: format!("section-strength{suffix}.svg"), svg, caption, curves: None })
+}
+
+fn line(language: Language, border: &Border, colour: usize) -> PlotCurve {
+    let thickness = trimmed(&figures(border.thickness, 3));
+    let area = |area: f64| format!("{:.0}", 1e6 * area);
+    let stations = border.stations;
+    let name = match border.bars {
+        [0.0, 0.0] => say!(
+            language,
+            "{thickness} m, without bars ({stations} stations)",
+            thickness = thickness,
+            stations = stations
+        ),
+        [inner, outer] => say!(
+            language,
+            "{thickness} m, bars of {inner} mm²/m inside and {outer} mm²/m outside ({stations} stations)",
+            thickness = thickness,
+            inner = area(inner),
+            outer = area(outer),
+            stations = stations
+        ),
+    };
+    let points = border.line.iter().map(|[n, m]| (n * KILO, m * KILO)).collect();
+    PlotCurve::new(name, colour, Pen::Curve, points)
+}
