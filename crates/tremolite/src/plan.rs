@@ -4,7 +4,9 @@ use crate::deconvolution::Place;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
 use crate::strength::JudgedBy;
+use crate::waves::{Entering, Frame, ObliqueField};
 use indexmap::IndexMap;
+use std::sync::Arc;
 use tremolite_mesh::locate::Location;
 use tremolite_motion::Motion;
 use tremolite_results::{PageWish, TargetSpectrum};
@@ -52,6 +54,41 @@ pub struct Recorded {
     pub band: f64,
 }
 
+/// Waves at angles that shake a model.
+#[derive(Clone)]
+pub struct PlannedWaves {
+    pub field: Arc<ObliqueField>,
+    pub frame: Frame,
+    pub waves: Vec<Entering>,
+    /// The motion that is given, in the model's axes, on the time of the run.
+    pub motion: Motion,
+}
+
+impl PlannedWaves {
+    /// Of a field, and the motion on the time of the record, in the model's axes.
+    pub fn new(field: ObliqueField, frame: Frame, waves: Vec<Entering>, given: &Motion) -> PlannedWaves {
+        let rows = (field.lead() / given.dt).round() as usize;
+        let late = |columns: &[Vec<f64>; 3]| {
+            columns
+                .each_ref()
+                .map(|column| std::iter::repeat_n(0.0, rows).chain(column.iter().copied()).collect())
+        };
+        let motion = Motion {
+            dt: given.dt,
+            acceleration: late(&given.acceleration),
+            velocity: late(&given.velocity),
+            displacement: late(&given.displacement),
+        };
+        PlannedWaves { field: Arc::new(field), frame, waves, motion }
+    }
+}
+
+impl std::fmt::Debug for PlannedWaves {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PlannedWaves").field("frame", &self.frame).finish_non_exhaustive()
+    }
+}
+
 /// Times and outputs of a run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -70,6 +107,8 @@ pub struct Plan {
     /// The motion that was recorded on or within layered ground; none where the wave that comes in is the one given times a
     /// factor.
     pub recorded: Option<Recorded>,
+    /// Waves at angles, which make the free field; none where one rises straight up.
+    pub waves: Option<PlannedWaves>,
     /// Time between rows of the histories \[s\]; a whole number of steps.
     pub histories: f64,
     /// Time between field files \[s\]; rounded to whole intervals of the histories.

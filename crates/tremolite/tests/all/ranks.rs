@@ -54,6 +54,7 @@ fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
         boundaries: Default::default(),
         target: None,
         recorded: None,
+        waves: None,
         histories: 0.002,
         snapshots: Some(0.01),
         fields: Field::ALL.to_vec(),

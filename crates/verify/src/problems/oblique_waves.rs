@@ -1,0 +1,249 @@
+//! Plane P, SV and SH waves at angles go through a box of ground as if it were not there.
+//!
+//! All of the field is known ([`tremolite::waves`], which tests of its own hold against closed forms, the equations of motion and
+//! geometry), so the model is compared with it at every node and at all times: homogeneous rock, and three damped layers
+//! on it. Elements are a twelfth of the shear wave of the highest frequency, at which the velocity's spectrum is a tenth of
+//! its peak. Their leading error is the lag of lumped masses, (kh)²/24 of the way kH: at the pulse's own frequency and a way of
+//! 1.3 wave lengths of the highest one 0.9 %, at the highest frequency ten times that of a tenth of the amplitude.
+//!
+//! Straight up the same field stands against that of slabs and columns, which a wave shakes with the model.
+
+use crate::convergence::order;
+use crate::models::law;
+use crate::simulation::{Simulation, whole_steps};
+use crate::{Check, Effort, Verification, VerifyError};
+use std::sync::Arc;
+use tremolite::free_field::GivenField;
+use tremolite::waves::{Entering, Frame, Heading, LayeredGround, ObliqueField, Rock, Stratum, WaveType};
+use tremolite::{Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, Top, elastic};
+use tremolite_laws::band::Band;
+use tremolite_laws::materials::Elastic;
+use tremolite_laws::{Material, Moduli, Values};
+use tremolite_mesh::boxes::BoxSpec;
+use tremolite_motion::{Complex64, Motion, highest_frequency, ricker_velocity};
+
+const NAME: &str = "oblique_waves";
+
+pub const PROBLEM: Verification = Verification {
+    name: NAME,
+    summary: "P, SV and SH waves at angles through level layers: the whole field",
+    source: "layered half-space at real slowness (Kennett 1983), against closed forms (Aki and Richards 2002) in tests of its own",
+    from: Effort::Test,
+    run,
+};
+
+/// Of the pulse's velocity \[Hz\]; its spectrum has fallen to a tenth at 2.21 times this.
+const FREQUENCY: f64 = 4.0;
+const HIGHEST: f64 = 2.21 * FREQUENCY;
+/// \[m\]
+const SIZE: [f64; 3] = [120.0, 90.0, 120.0];
+const POISSON: f64 = 0.3;
+/// Elements a shear wave of the highest frequency.
+const ELEMENTS: f64 = 12.0;
+
+/// Ground: thicknesses upwards \[m\], speeds of shear waves \[m/s\], densities \[kg/m³\].
+struct Ground {
+    name: &'static str,
+    layers: &'static [(f64, f64, f64)],
+    damped: bool,
+}
+
+const GROUNDS: [Ground; 2] = [
+    Ground { name: "rock", layers: &[(120.0, 1000.0, 2500.0)], damped: false },
+    Ground {
+        name: "three damped layers",
+        layers: &[(60.0, 1400.0, 2600.0), (30.0, 1100.0, 2400.0), (30.0, 900.0, 2200.0)],
+        damped: true,
+    },
+];
+
+/// A wave: type, angle, azimuth \[deg\].
+type Way = (WaveType, f64, f64);
+
+/// Of all angles at ν = 0.3, where none is special.
+const ANGLES: [(WaveType, f64); 8] = [
+    (WaveType::Sv, 15.0),
+    (WaveType::Sv, 25.0),
+    (WaveType::Sv, 40.0),
+    (WaveType::Sv, 55.0),
+    (WaveType::P, 20.0),
+    (WaveType::P, 50.0),
+    (WaveType::Sh, 30.0),
+    (WaveType::Sh, 60.0),
+];
+const AZIMUTHS: [f64; 3] = [0.0, 30.0, 90.0];
+
+fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
+    let every = ANGLES.iter().enumerate().flat_map(|(k, &(kind, angle))| {
+        // One azimuth an angle, unless there is time.
+        let chosen = move |j: &usize| effort == Effort::Full || *j == k % AZIMUTHS.len();
+        (0..AZIMUTHS.len()).filter(chosen).map(move |j| (kind, angle, AZIMUTHS[j]))
+    });
+    let ways: Vec<Way> = match effort {
+        Effort::Test => vec![(WaveType::Sv, 25.0, 30.0), (WaveType::P, 50.0, 30.0)],
+        _ => every.collect(),
+    };
+    let mut checks = Vec::new();
+    for (k, ground) in GROUNDS.iter().enumerate() {
+        for (_, &way) in ways.iter().enumerate().filter(|(j, _)| effort != Effort::Test || *j == k) {
+            let (kind, angle, azimuth) = way;
+            let of = format!("{} at {angle}° towards {azimuth}° in {}", kind.word(), ground.name);
+            let [coarse, fine] = [error(ground, way, 1.0)?, error(ground, way, 0.5)?];
+            let p = order(coarse, fine, 2.0);
+            let note = "1 % of the largest displacement at twelve elements a shear wave of the highest frequency, by the lag of lumped masses";
+            checks.push(
+                Check::new(NAME, format!("largest error of the field, {of}"), coarse, 0.0, 0.01, "1", note)
+                    .with_order(p),
+            );
+            let note = "order 2 in h, Δt ∝ h; edges of a box err by h² ln 1/h and corners of the layers by less";
+            checks.push(Check::new(NAME, format!("order in h, {of}"), p, 2.0, 0.25, "1", note));
+        }
+    }
+    let shares = if effort == Effort::Test { &[1.0][..] } else { &[1.0, 0.5][..] };
+    let found: Vec<f64> = shares.iter().map(|&share| beside_slabs(share)).collect::<Result<_, _>>()?;
+    let note = "both err by the lag of lumped masses, the series' own and the slabs' with the model";
+    checks.push(Check::new(NAME, "straight up beside slabs and columns", found[0], 0.0, 0.005, "1", note));
+    if let [coarse, fine] = found[..] {
+        let note = "order 2 in h";
+        checks.push(Check::new(NAME, "order of that", order(coarse, fine, 2.0), 2.0, 0.3, "1", note));
+    }
+    Ok(checks)
+}
+
+impl Ground {
+    /// A twelfth of the shortest shear wave \[m\].
+    fn element(&self) -> f64 {
+        self.layers.iter().map(|layer| layer.1).fold(f64::INFINITY, f64::min) / (HIGHEST * ELEMENTS)
+    }
+
+    fn rayleigh(&self) -> Rayleigh {
+        if self.damped { Rayleigh { mass: 0.3, stiffness: 1e-4 } } else { Rayleigh::default() }
+    }
+
+    fn problem(&self, share: f64) -> Result<Problem, VerifyError> {
+        // Whole elements in 30 m.
+        let h = 30.0 / (30.0 / (share * self.element())).ceil();
+        let mesh = BoxSpec::uniform([0.0; 3], SIZE, SIZE.map(|length| (length / h).round() as u32)).mesh()?;
+        let middle = |e: u32| tremolite::hexahedra::centroid(&mesh, e)[2];
+        let band = Band::fit(0.02, [1.0, 20.0], FREQUENCY).map_err(|e| VerifyError::Setup(e.to_string()))?;
+        let mut bodies = Vec::new();
+        let mut bottom = 0.0;
+        for &(thickness, speed, density) in self.layers {
+            let elements = (0..mesh.elements.len() as u32)
+                .filter(|&e| (bottom..bottom + thickness).contains(&middle(e)))
+                .collect();
+            let young = 2.0 * (1.0 + POISSON) * density * speed * speed;
+            let material = if self.damped {
+                let values = Values::default().with("young", young).with("poisson", POISSON);
+                (law(Elastic::NAME)?.build_banded)(&values, band)
+                    .map_err(|_| VerifyError::Setup("the elastic law refuses its values".into()))?
+            } else {
+                elastic(Moduli::from_young_poisson(young, POISSON))
+            };
+            bodies.push(Body {
+                name: format!("{speed}"),
+                elements,
+                material,
+                density,
+                quadrature: Quadrature::OnePoint,
+                viscosity: 0.0,
+            });
+            bottom += thickness;
+        }
+        let mut problem = Problem::new(mesh, bodies);
+        problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: Some(60.0) };
+        problem.sides = [Side::FreeField; 2];
+        problem.top = Top::Free;
+        problem.rayleigh = self.rayleigh();
+        Ok(problem)
+    }
+
+    fn layered(&self, problem: &Problem) -> Option<LayeredGround> {
+        let strata = self.layers.iter().zip(&problem.bodies).map(|(&(thickness, ..), body)| Stratum {
+            thickness,
+            rock: Rock::of(body, self.rayleigh()),
+        });
+        LayeredGround::new(strata, problem.top)
+    }
+}
+
+/// The pulse along one axis, and when it has gone through \[s\].
+fn pulse(axis: usize) -> Result<(Motion, f64), VerifyError> {
+    let pulse = ricker_velocity(FREQUENCY, 1.6 / FREQUENCY, 1.0);
+    let along = [0, 1, 2].map(|i| f64::from(u8::from(i == axis)));
+    Ok((Motion::sampled(2e-3, 0.8, |t| pulse(t).along(along))?, 0.8 + 0.25))
+}
+
+fn field(ground: &Ground, problem: &Problem, way: Way) -> Result<ObliqueField, VerifyError> {
+    let (kind, angle, azimuth) = way;
+    let (motion, duration) = pulse(0)?;
+    let layered = ground.layered(problem).ok_or_else(|| VerifyError::Setup("no layers".into()))?;
+    let heading = Heading::new(kind, angle.to_radians(), azimuth.to_radians(), std::f64::consts::FRAC_PI_2);
+    let frame = Frame {
+        ground: layered,
+        bounds: [[0.0; 3], SIZE],
+        at: [0.5 * SIZE[0], 0.5 * SIZE[1]],
+        frequency: highest_frequency(&motion, 0.999).unwrap_or(HIGHEST),
+        duration: Some(duration),
+    };
+    let wave = Entering { heading, motion: Arc::new(motion), component: 0, factor: Complex64::from(1.0) };
+    ObliqueField::new(&frame, &[wave]).map_err(|e| VerifyError::Setup(format!("{e:?}")))
+}
+
+/// Largest difference of the model from the field at any node, at every third step, over the field's largest displacement.
+fn error(ground: &Ground, way: Way, share: f64) -> Result<f64, VerifyError> {
+    let mut problem = ground.problem(share)?;
+    let field = Arc::new(field(ground, &problem, way)?);
+    problem.free_field = Some(field.clone());
+    let (_, duration) = pulse(0)?;
+    let simulation = Simulation::new(problem)?;
+    let (steps, dt) = whole_steps(field.lead() + duration, 0.9 * simulation.stable());
+    let nodes: Vec<[f64; 3]> = (0..simulation.model.mesh_node.len()).map(|n| simulation.position(n)).collect();
+    let (mut worst, mut peak) = (0.0_f64, 0.0_f64);
+    let mut step = 0;
+    simulation.run_from_rest(dt, steps, |state| {
+        step += 1;
+        if step % 3 != 0 {
+            return;
+        }
+        for (n, &at) in nodes.iter().enumerate() {
+            let exact = field.displacement(at, state.time());
+            for (found, exact) in state.u[n].xyz().into_iter().zip(exact) {
+                worst = worst.max((found - exact).abs());
+                peak = peak.max(exact.abs());
+            }
+        }
+    })?;
+    Ok(if worst.is_nan() { worst } else { worst / peak })
+}
+
+/// Largest difference of a model that a vertical SV wave's field drives from one that slabs and columns do, over the peak.
+fn beside_slabs(share: f64) -> Result<f64, VerifyError> {
+    let ground = &GROUNDS[1];
+    let mut given = ground.problem(share)?;
+    // Towards east, along x.
+    let field = field(ground, &given, (WaveType::Sv, 0.0, 90.0))?;
+    let (motion, duration) = pulse(0)?;
+    let mut beside = ground.problem(share)?;
+    given.free_field = Some(Arc::new(field));
+    beside.incident = Some(Incident { motion, factor: 1.0 });
+    let both = [Simulation::new(given)?, Simulation::new(beside)?];
+    let stable = both[0].stable().min(both[1].stable());
+    let (steps, dt) = whole_steps(duration, 0.9 * stable);
+    let mut histories = Vec::new();
+    for simulation in &both {
+        let mut nodes: Vec<([i64; 3], usize)> = (0..simulation.model.mesh_node.len())
+            .map(|n| (simulation.position(n).map(|x| (1e3 * x).round() as i64), n))
+            .filter(|(at, _)| (0..3).all(|i| at[i] >= 0 && at[i] <= (1e3 * SIZE[i]) as i64))
+            .collect();
+        nodes.sort_unstable();
+        let mut history: Vec<f64> = Vec::new();
+        simulation.run_from_rest(dt, steps, |state| {
+            history.extend(nodes.iter().flat_map(|&(_, n)| state.u[n].xyz()));
+        })?;
+        histories.push(history);
+    }
+    let peak = histories[1].iter().fold(0.0_f64, |most, u| most.max(u.abs()));
+    let pairs = histories[0].iter().zip(&histories[1]);
+    Ok(pairs.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs())) / peak)
+}
