@@ -7,6 +7,7 @@ use crate::strength::JudgedBy;
 use crate::waves::{Entering, Frame, ObliqueField};
 use indexmap::IndexMap;
 use std::sync::Arc;
+use tremolite_engine::model::Model;
 use tremolite_mesh::locate::Location;
 use tremolite_motion::Motion;
 use tremolite_results::{PageWish, TargetSpectrum};
@@ -62,6 +63,8 @@ pub struct PlannedWaves {
     pub waves: Vec<Entering>,
     /// The motion that is given, in the model's axes, on the time of the run.
     pub motion: Motion,
+    /// What all waves together do at their common place at the base, without what the ground sends back.
+    pub incident: Motion,
 }
 
 impl PlannedWaves {
@@ -79,8 +82,39 @@ impl PlannedWaves {
             velocity: late(&given.velocity),
             displacement: late(&given.displacement),
         };
-        PlannedWaves { field: Arc::new(field), frame, waves, motion }
+        let incident = incident(&waves, rows, &motion);
+        PlannedWaves { field: Arc::new(field), frame, waves, motion, incident }
     }
+}
+
+/// The sum of waves at their common place, put off by so many rows as the motion was; as long as that.
+fn incident(waves: &[Entering], rows: usize, motion: &Motion) -> Motion {
+    let count = motion.acceleration[0].len();
+    let mut sum = motion.clone().scaled(0.0);
+    for wave in waves {
+        let moves = wave.heading.polarisation();
+        let own = &*wave.motion;
+        let kinds = [
+            (&mut sum.acceleration, &own.acceleration),
+            (&mut sum.velocity, &own.velocity),
+            (&mut sum.displacement, &own.displacement),
+        ];
+        for (sum, own) in kinds {
+            let late = std::iter::repeat_n(0.0, rows).chain(own[wave.component].iter().copied());
+            let carried: Vec<f64> = match wave.factor.im == 0.0 {
+                true => late.map(|x| wave.factor.re * x).collect(),
+                // Turned in phase, as a surface beyond the critical angle turns it.
+                false => {
+                    let padded: Vec<f64> = late.chain(std::iter::repeat_n(0.0, 3 * count)).collect();
+                    tremolite_motion::transferred(&padded, motion.dt, &|_| wave.factor)
+                }
+            };
+            for (sum, share) in sum.iter_mut().zip(moves) {
+                sum.iter_mut().zip(&carried).for_each(|(sum, x)| *sum += share * x);
+            }
+        }
+    }
+    sum
 }
 
 impl std::fmt::Debug for PlannedWaves {
@@ -139,6 +173,13 @@ pub struct Steps {
 }
 
 impl Plan {
+    /// The motion that shakes a model, in its axes, on the time of the run: the wave that rises, to be taken times a factor, or what
+    /// waves at angles carry. None without an earthquake.
+    pub fn shaken_by<'a>(&'a self, model: &'a Model) -> Option<&'a Motion> {
+        let rises = model.boundaries.incident.as_ref().map(|incident| &incident.motion);
+        rises.or(self.waves.as_ref().map(|waves| &waves.motion))
+    }
+
     /// Time between rows of the histories \[s\] where steps of the finest level are stable up to `step` \[s\]: as asked for, or every one.
     pub fn row(&self, step: f64) -> f64 {
         self.histories.max(step)

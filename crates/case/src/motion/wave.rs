@@ -33,11 +33,11 @@ pub(crate) static WAVE: Table = Table {
             "which component of the motion is its own: along its way (P), h cos θ − z sin θ (SV) or z × h (SH), h being its way in plan",
         ),
         Key::default("scale", Kind::Number(Dimension::NONE, Limit::Any), "1.0", "Factor on that component"),
-        Key::default(
+        Key::optional(
             "part",
             Kind::Word(SurfacePart::WORDS),
-            r#""along""#,
-            "With `kind = \"outcrop\"`, the part of the rock surface's motion under it that the component is",
+            "",
+            "With `kind = \"outcrop\"`, the part of the rock surface's motion under it that the component is: \"along\" unless given",
         )
         .when(When::IsNot("type", "SH")),
     ],
@@ -79,7 +79,7 @@ pub struct Wave {
     pub component: Spanned<Direction>,
     /// Factor on that.
     pub scale: Spanned<f64>,
-    /// With an outcrop's motion, which part of that the component is; nothing for SH.
+    /// With an outcrop's motion, which part of that the component is; nothing: along its way, across it for SH.
     pub part: Option<Spanned<SurfacePart>>,
     /// Its table in the case.
     pub span: Range<usize>,
@@ -112,6 +112,16 @@ pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
                 kind.value
             ),
             "give the waves' own motion with kind = \"incident\", or that of bare rock with \"outcrop\"; or leave the waves out",
+        ));
+    }
+    let part = waves.iter().find_map(|wave| wave.get("part"));
+    if let (Some(part), Some(kind)) = (part, motion.text("kind"))
+        && kind.value == "incident"
+    {
+        problems.push(Diagnostic::new(
+            part.span.clone(),
+            "`part` is one of a rock surface's motion, and the motion is the incident wave itself",
+            "leave it out, or write kind = \"outcrop\"",
         ));
     }
     if motion.text("file").is_some() {

@@ -21,6 +21,8 @@ pub struct MotionFacts {
     pub waves: Vec<WaveFacts>,
     /// By how much they come later than in the record, so that nothing moves at time 0 \[s\].
     pub lead: f64,
+    /// Bytes of the series of waves at angles.
+    pub series: usize,
     /// Along x, y, z of the model: measures of the processed given motion (before the factor).
     pub intensity: [Intensity; 3],
     /// Where the components came from, in words.
@@ -43,8 +45,9 @@ impl MotionFacts {
     pub fn entering(&self) -> Vec<String> {
         if !self.waves.is_empty() {
             let lead = format!(
-                "the waves come {:.3} s later than in the record, so that nothing moves before",
-                self.lead
+                "the waves come {:.3} s later than in the record, so that nothing moves before; their series take {:.1} MB",
+                self.lead,
+                1e-6 * self.series as f64
             );
             return self.waves.iter().map(WaveFacts::words).chain([lead]).collect();
         }

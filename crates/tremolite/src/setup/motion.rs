@@ -71,6 +71,7 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
         site: None,
         waves: Vec::new(),
         lead: 0.0,
+        series: 0,
         incident_peak: made.acceleration.each_ref().map(|a| factor.unwrap_or(1.0) * largest(a)),
         intensity: made.acceleration.each_ref().map(|a| Intensity::of_samples(a, made.dt)),
         source,

@@ -233,11 +233,14 @@ fn field(
         (0..3).for_each(|i| peak[i] += most * moves[i].abs());
     }
     facts.incident_peak = peak;
+    // Each wave has its own.
+    facts.factor = None;
     facts.waves = waves
         .iter()
         .zip(&written.waves)
         .map(|(wave, written)| WaveFacts::of(wave, written, &frame))
         .collect();
     facts.lead = field.lead();
+    facts.series = field.bytes();
     Ok(PlannedWaves::new(field, frame, waves, given))
 }

@@ -39,3 +39,4 @@ mod spectra;
 mod staged;
 mod stages;
 mod viscosity;
+mod waves_at_angles;

@@ -259,6 +259,7 @@ fn told(problem: Problem) -> Summary {
         site: None,
         waves: Vec::new(),
         lead: 0.0,
+        series: 0,
         incident_peak: [0.0; 3],
         intensity: [0, 1, 2].map(|i| Intensity::of_samples(&motion.acceleration[i], motion.dt)),
         source: "a pulse".into(),
