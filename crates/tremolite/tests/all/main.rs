@@ -40,3 +40,4 @@ mod staged;
 mod stages;
 mod viscosity;
 mod waves_at_angles;
+mod waves_resumed;

@@ -15,7 +15,7 @@ use tremolite::waves::{Entering, Frame, Heading, LayeredGround, ObliqueField, Ro
 use tremolite_motion::{Channel, Complex64, Motion, ricker_velocity};
 use tremolite_results::{ResultFolder, Summary, Table};
 
-const CASE: &str = r#"title = "aslant"
+pub const CASE: &str = r#"title = "aslant"
 [mesh.box]
 x = { to = "40 m", elements = 8 }
 y = { to = "30 m", elements = 6 }
@@ -55,7 +55,7 @@ histories = "0.02 s"
 "#;
 
 /// A Ricker pulse of acceleration of 8 Hz \[m/s²\], every 0.005 s.
-fn given() -> Given {
+pub fn given() -> Given {
     let at = |k: i32| {
         let t = (std::f64::consts::PI * 8.0 * (0.005 * f64::from(k) - 0.15)).powi(2);
         (1.0 - 2.0 * t) * (-t).exp()
