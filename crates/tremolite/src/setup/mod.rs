@@ -207,8 +207,13 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
             let (low, high) = mesh.bounds();
             at_angles = waves::enter(case, written, &motion, facts, &around, [low, high], &mut problems);
             if let Some(planned) = &at_angles {
-                let driven =
-                    wave_sides::Driven { case, mesh: &mesh, bodies: &lasting, lives: staged.lives() };
+                let driven = wave_sides::Driven {
+                    bounds: (low, high),
+                    case,
+                    mesh: &mesh,
+                    bodies: &lasting,
+                    lives: staged.lives(),
+                };
                 driven.check(&planned.frame.ground, &interfaces, &mut problems);
                 warnings.extend(driven.warnings());
             }

@@ -5,6 +5,7 @@
 
 use crate::quantities::MEASURES;
 use crate::waves::{LayeredGround, Rock};
+use std::collections::HashSet;
 use tremolite_case::{self as case, Case, Diagnostic};
 use tremolite_engine::column::SIDES;
 use tremolite_engine::outer_faces::{OuterFaces, near};
@@ -20,6 +21,8 @@ pub struct Driven<'a> {
     /// With the elements that are there in the shaking.
     pub bodies: &'a [Body],
     pub lives: &'a [Life],
+    /// Of the mesh \[m\].
+    pub bounds: ([f64; 3], [f64; 3]),
 }
 
 /// A plane that is driven.
@@ -54,14 +57,15 @@ impl Driven<'_> {
 
     fn faces(&self) -> OuterFaces {
         let elements: Vec<u32> = self.bodies.iter().flat_map(|body| body.elements.iter().copied()).collect();
-        OuterFaces::of(self.mesh, self.mesh.bounds(), &elements)
+        OuterFaces::of(self.mesh, self.bounds, &elements)
     }
 
     /// Refuses what is not the ground.
     pub fn check(&self, ground: &LayeredGround, interfaces: &[Interface], problems: &mut Vec<Diagnostic>) {
-        let (mesh, bounds) = (self.mesh, self.mesh.bounds());
+        let (mesh, bounds) = (self.mesh, self.bounds);
         let (body_of, faces) = (self.body_of(), self.faces());
         let rocks: Vec<Rock> = self.bodies.iter().map(|body| Rock::of(body, self.rayleigh())).collect();
+        let joints = self.joints(interfaces);
         for plane in self.planes() {
             let level = [bounds.0, bounds.1][plane.end][plane.axis];
             let on_plane = |n: &u32| (mesh.nodes[*n as usize][plane.axis] - level).abs() <= near(bounds);
@@ -75,7 +79,7 @@ impl Driven<'_> {
                 }
             };
             let apart = |e: usize| {
-                interfaces.iter().any(|i| i.sides.iter().flatten().any(|&other| other as usize == e))
+                mesh.elements[e].nodes().iter().any(|n| on_plane(n) && joints.contains(&self.spot(*n)))
             };
             let found: Vec<usize> =
                 (0..mesh.elements.len()).filter(|&e| reaches(e) && (foreign(e) || apart(e))).collect();
@@ -85,6 +89,27 @@ impl Driven<'_> {
                 problems.push(self.open(&plane));
             }
         }
+    }
+
+    /// Where a node is, as whole millionths of the model's size: nodes of both sides of an interface may be one or two.
+    fn spot(&self, node: u32) -> [i64; 3] {
+        let (low, high) = self.bounds;
+        let size = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+        [0, 1, 2].map(|i| ((self.mesh.nodes[node as usize][i] - low[i]) / (1e-6 * size)).round() as i64)
+    }
+
+    /// Spots of all interfaces: those that elements of both sides have.
+    fn joints(&self, interfaces: &[Interface]) -> HashSet<[i64; 3]> {
+        let spots = |elements: &[u32]| -> HashSet<[i64; 3]> {
+            let nodes = elements.iter().flat_map(|&e| self.mesh.elements[e as usize].nodes());
+            nodes.map(|&n| self.spot(n)).collect()
+        };
+        let mut joints = HashSet::new();
+        for interface in interfaces {
+            let [first, second] = interface.sides.each_ref().map(|side| spots(side));
+            joints.extend(first.intersection(&second));
+        }
+        joints
     }
 
     fn rayleigh(&self) -> tremolite_engine::Rayleigh {
@@ -100,7 +125,7 @@ impl Driven<'_> {
 
     /// The area of faces over that of the model's bounds across an axis.
     fn area(&self, faces: &[Face], axis: usize) -> f64 {
-        let (low, high) = self.mesh.bounds();
+        let (low, high) = self.bounds;
         let whole: f64 = (0..3).filter(|&i| i != axis).map(|i| high[i] - low[i]).product();
         let area = |&face: &Face| -> f64 {
             vector_areas(self.mesh, &[face]).into_iter().map(|(_, a)| a[axis].abs()).sum()
