@@ -128,7 +128,7 @@ impl Driven<'_> {
         let (low, high) = self.bounds;
         let whole: f64 = (0..3).filter(|&i| i != axis).map(|i| high[i] - low[i]).product();
         let area = |&face: &Face| -> f64 {
-            vector_areas(self.mesh, &[face]).into_iter().map(|(_, a)| a[axis].abs()).sum()
+            vector_areas(self.mesh, &[face]).into_values().map(|a| a[axis].abs()).sum()
         };
         faces.iter().map(area).sum::<f64>() / whole
     }

@@ -222,7 +222,7 @@ impl Series {
     /// When the series begin \[s\] on the time of the signal, at the base of the reference point.
     fn sample(&self, time: f64) -> Option<(usize, f64)> {
         let place = (time - self.start) / self.dt;
-        if !(place > 0.0) {
+        if place.is_nan() || place <= 0.0 {
             return None;
         }
         let index = (place as usize).min(self.samples - 2);
