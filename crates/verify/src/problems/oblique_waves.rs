@@ -38,6 +38,9 @@ const HIGHEST: f64 = 2.21 * FREQUENCY;
 /// Elements of the box, of the coarser mesh: of tests, and of what takes longer; upwards whole quarters.
 const SMALL: [u32; 3] = [6, 5, 8];
 const LARGE: [u32; 3] = [14, 10, 16];
+/// The same beside slabs, whose own column is late by (kh)²/24 of the way up and down: with four elements 0.45 % at the pulse's
+/// frequency, with eight 0.9 %.
+const LOW: [u32; 3] = [6, 5, 4];
 const POISSON: f64 = 0.3;
 /// Elements a shear wave of the highest frequency.
 const ELEMENTS: f64 = 12.0;
@@ -103,8 +106,8 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
         }
     }
     let finer = if effort == Effort::Test { &[1][..] } else { &[1, 2][..] };
-    let found: Vec<f64> = finer.iter().map(|&finer| beside_slabs(cells, finer)).collect::<Result<_, _>>()?;
-    let note = "both err by the lag of lumped masses, the series' own and the slabs' with the model";
+    let found: Vec<f64> = finer.iter().map(|&finer| beside_slabs(LOW, finer)).collect::<Result<_, _>>()?;
+    let note = "slabs and columns are late by the lag of lumped masses on the way up and down, 0.45 % for four elements each, which the field is not";
     checks.push(Check::new(NAME, "straight up beside slabs and columns", found[0], 0.0, 0.005, "1", note));
     if let [coarse, fine] = found[..] {
         let note = "order 2 in h";
