@@ -74,7 +74,7 @@ pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{
     Component, Corner, Direction, Motion, MotionKind, Record, RecordUnit, Records, Site, SiteLayer,
-    TargetSpectrum, TextColumn, Window,
+    SurfacePart, TargetSpectrum, TextColumn, Wave, WaveWord, Window,
 };
 pub use output::Output;
 pub use page::{Language, Limits, Page};

@@ -147,15 +147,28 @@ impl Now<'_> {
         u
     }
 
+    /// The stresses at some points \[Pa\]; none of a wave that rises, which has no use for them.
+    pub fn stresses(&self, points: &[[f64; 3]]) -> Vec<[f64; 6]> {
+        match self {
+            Now::Rising(_) => Vec::new(),
+            Now::Given(field, time) => points.iter().map(|&at| field.stress(at, *time)).collect(),
+        }
+    }
+
     /// What the free field pushes with at a place where the dashpots have the matrix C \[N s/m\], beside what they follow \[N\]:
-    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises.
-    pub fn push(&self, place: &Place, dashpot: &[f64; 6]) -> [f64; 3] {
+    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises. `stresses` are those at its points.
+    pub fn push<'s>(
+        &self,
+        place: &Place,
+        dashpot: &[f64; 6],
+        stresses: impl Iterator<Item = &'s [f64; 6]>,
+    ) -> [f64; 3] {
         match self {
             Now::Rising(velocity) => times(dashpot, velocity.map(|v| 2.0 * v)),
-            Now::Given(field, time) => {
+            Now::Given(..) => {
                 let mut sum = [0.0; 3];
-                for &(at, area) in &place.shares {
-                    let force = times(&field.stress(at, *time), area);
+                for (&(_, area), stress) in place.shares.iter().zip(stresses) {
+                    let force = times(stress, area);
                     (0..3).for_each(|i| sum[i] += force[i]);
                 }
                 sum

@@ -84,6 +84,6 @@ pub use spectrum::{default_periods, pseudo_acceleration};
 pub use strongest::{Strongest, strongest_window};
 pub use target::TargetSpectrum;
 pub use time_base::common_time_base;
-pub use transfer::transferred;
+pub use transfer::{Lines, transferred};
 pub use units::{STANDARD_GRAVITY, Units};
 pub use write::write_text;

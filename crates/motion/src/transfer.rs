@@ -4,32 +4,83 @@ use realfft::RealFftPlanner;
 use realfft::num_complex::Complex64;
 use std::f64::consts::TAU;
 
+/// The lines of a real signal's spectrum, to be sent through transfer functions.
+pub struct Lines {
+    lines: Vec<Complex64>,
+    /// Samples of the signal, an even number.
+    count: usize,
+    /// Between lines \[rad/s\].
+    step: f64,
+}
+
+impl Lines {
+    /// Of a signal sampled every `dt` \[s\]. An odd number of samples loses its last one. None if the transform refuses it.
+    pub fn of(signal: &[f64], dt: f64) -> Option<Lines> {
+        let count = signal.len() / 2 * 2;
+        let mut wave = signal[..count].to_vec();
+        let forward = RealFftPlanner::<f64>::new().plan_fft_forward(count);
+        let mut lines = forward.make_output_vec();
+        forward.process(&mut wave, &mut lines).ok()?;
+        Some(Lines { lines, count, step: TAU / (count as f64 * dt) })
+    }
+
+    /// ω \[rad/s\] of a line. That at zero stands close to zero, where a transfer function is smooth and at zero itself often 0/0.
+    pub fn omega(&self, line: usize) -> f64 {
+        self.step * (line as f64).max(1e-6)
+    }
+
+    /// How many lines lie up to the last of which the rate of the signal, ω times the line, has this share of its largest.
+    pub fn above(&self, share: f64) -> usize {
+        let rate = |(k, line): (usize, &Complex64)| k as f64 * line.norm();
+        let most = self.lines.iter().enumerate().map(rate).fold(0.0, f64::max);
+        let last = (0..self.lines.len()).rev().find(|&k| rate((k, &self.lines[k])) > share * most);
+        last.map_or(0, |k| k + 1)
+    }
+
+    /// The signal of these lines times as many factors; further lines are none.
+    pub fn through(&self, factors: impl Iterator<Item = Complex64>) -> Vec<f64> {
+        let back = RealFftPlanner::<f64>::new().plan_fft_inverse(self.count);
+        self.with(factors, back.as_ref())
+    }
+
+    /// The signals of some sets of factors.
+    pub fn through_each<I: Iterator<Item = Complex64>>(
+        &self,
+        sets: impl Iterator<Item = I>,
+    ) -> Vec<Vec<f64>> {
+        let back = RealFftPlanner::<f64>::new().plan_fft_inverse(self.count);
+        sets.map(|factors| self.with(factors, back.as_ref())).collect()
+    }
+
+    fn with(
+        &self,
+        factors: impl Iterator<Item = Complex64>,
+        back: &dyn realfft::ComplexToReal<f64>,
+    ) -> Vec<f64> {
+        let mut lines = back.make_input_vec();
+        for ((out, line), factor) in lines.iter_mut().zip(&self.lines).zip(factors) {
+            *out = line * factor / self.count as f64;
+        }
+        for end in [0, self.count / 2] {
+            lines[end].im = 0.0;
+        }
+        let mut wave = back.make_output_vec();
+        // Refused only for wrong lengths.
+        let Ok(()) = back.process(&mut lines, &mut wave) else { return vec![f64::NAN; self.count] };
+        wave
+    }
+}
+
 /// What a transfer function of ω \[rad/s\] > 0, time going as e^(iωt), makes of a signal sampled every `dt` \[s\]. The
 /// transform repeats the signal's span, so leave room at its end for the answer to come to rest. An odd number of samples
 /// loses its last one.
-///
-/// The line at zero takes the function's value close to zero, where it is smooth and at zero itself often 0/0.
 pub fn transferred(signal: &[f64], dt: f64, factor: &dyn Fn(f64) -> Complex64) -> Vec<f64> {
     let count = signal.len() / 2 * 2;
-    let mut wave = signal[..count].to_vec();
-    if wave.iter().all(|v| *v == 0.0) {
-        return wave;
+    if signal[..count].iter().all(|v| *v == 0.0) {
+        return vec![0.0; count];
     }
-    let mut planner = RealFftPlanner::<f64>::new();
-    let forward = planner.plan_fft_forward(count);
-    let back = planner.plan_fft_inverse(count);
-    let mut lines = forward.make_output_vec();
-    // Refused only for wrong lengths.
-    let Ok(()) = forward.process(&mut wave, &mut lines) else { return vec![f64::NAN; count] };
-    let step = TAU / (count as f64 * dt);
-    for (k, line) in lines.iter_mut().enumerate() {
-        *line *= factor(step * (k as f64).max(1e-6)) / count as f64;
-    }
-    for end in [0, count / 2] {
-        lines[end].im = 0.0;
-    }
-    let Ok(()) = back.process(&mut lines, &mut wave) else { return vec![f64::NAN; count] };
-    wave
+    let Some(lines) = Lines::of(signal, dt) else { return vec![f64::NAN; count] };
+    lines.through((0..lines.lines.len()).map(|k| factor(lines.omega(k))))
 }
 
 #[cfg(test)]

@@ -137,6 +137,9 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
     };
     let free_field = if model.boundaries.incident.is_some() {
         1 + 12 * model.outside.columns.len() + 30 + beside
+    } else if plan.waves.is_some() {
+        // Time; the field and the model at two places of four corners along three axes; the field at each monitor.
+        1 + 48 + 3 * plan.monitors.len()
     } else {
         0
     };
@@ -145,7 +148,7 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
 
 /// Numbers of depth.csv, transfer.csv and spectra.csv.
 fn along_depth_and_period(model: &Model, plan: &Plan) -> u64 {
-    if model.boundaries.incident.is_none() {
+    if plan.shaken_by(model).is_none() {
         return 0;
     }
     let depth = Depth::of(model, plan).map_or(0, |depth| depth.numbers());

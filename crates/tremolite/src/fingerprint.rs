@@ -73,7 +73,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         held,
         ties,
         incident,
-        // Formulas are in no file, as parts are: a program that resumes must give the same again.
+        // That of the plan's waves; other formulas are in no file, as parts are: a program that resumes must give the same again.
         free_field: _,
     } = boundaries;
     let Loading { gravity, tractions, loads, parts: _ } = loading;
@@ -98,6 +98,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         sections,
         // The wave follows from it.
         recorded: _,
+        waves,
         // Change nothing that is remembered.
         title: _,
         page: _,
@@ -150,6 +151,15 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         time.number(incident.factor);
         time.number(incident.motion.dt);
         time.numbers(incident.motion.acceleration.iter().flatten());
+    }
+    if let Some(waves) = waves {
+        time.shown(&waves.frame);
+        for wave in &waves.waves {
+            time.shown(&(wave.heading, wave.component));
+            time.numbers([&wave.factor.re, &wave.factor.im]);
+        }
+        time.number(waves.motion.dt);
+        time.numbers(waves.motion.acceleration.iter().flatten());
     }
     for load in loads {
         time.shown(&load.forces);

@@ -280,7 +280,8 @@ impl Built {
         let simulation::Built { model, assembly, phase, stable } = built.levelled(plan).map_err(refused)?;
         // Without an earthquake every wave is long.
         let highest = motion.map_or(0.0, |motion| motion.highest_frequency);
-        let survey = survey(&model, &assembly, highest).map_err(Why::Model)?;
+        let mut survey = survey(&model, &assembly, highest).map_err(Why::Model)?;
+        survey.bytes += plan.waves.as_ref().map_or(0, |waves| waves.field.bytes());
         let outlook = match plan.stages.is_empty() {
             true => None,
             false => Some(

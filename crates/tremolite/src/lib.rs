@@ -46,6 +46,7 @@ mod synchrony;
 mod transfer_table;
 mod trust;
 mod units;
+pub mod waves;
 
 pub use error::RunError;
 pub use tremolite_engine::*;

@@ -4,7 +4,10 @@ use crate::deconvolution::Place;
 use crate::quantities::Field;
 use crate::stages::PlannedStage;
 use crate::strength::JudgedBy;
+use crate::waves::{Entering, Frame, ObliqueField};
 use indexmap::IndexMap;
+use std::sync::Arc;
+use tremolite_engine::model::Model;
 use tremolite_mesh::locate::Location;
 use tremolite_motion::Motion;
 use tremolite_results::{PageWish, TargetSpectrum};
@@ -52,6 +55,74 @@ pub struct Recorded {
     pub band: f64,
 }
 
+/// Waves at angles that shake a model.
+#[derive(Clone)]
+pub struct PlannedWaves {
+    pub field: Arc<ObliqueField>,
+    pub frame: Frame,
+    pub waves: Vec<Entering>,
+    /// The motion that is given, in the model's axes, on the time of the run.
+    pub motion: Motion,
+    /// What all waves together do at their common place at the base, without what the ground sends back.
+    pub incident: Motion,
+}
+
+impl PlannedWaves {
+    /// Of a field, and the motion on the time of the record, in the model's axes.
+    pub fn new(field: ObliqueField, frame: Frame, waves: Vec<Entering>, given: &Motion) -> PlannedWaves {
+        let rows = (field.lead() / given.dt).round() as usize;
+        let late = |columns: &[Vec<f64>; 3]| {
+            columns
+                .each_ref()
+                .map(|column| std::iter::repeat_n(0.0, rows).chain(column.iter().copied()).collect())
+        };
+        let motion = Motion {
+            dt: given.dt,
+            acceleration: late(&given.acceleration),
+            velocity: late(&given.velocity),
+            displacement: late(&given.displacement),
+        };
+        let incident = incident(&waves, rows, &motion);
+        PlannedWaves { field: Arc::new(field), frame, waves, motion, incident }
+    }
+}
+
+/// The sum of waves at their common place, put off by so many rows as the motion was; as long as that.
+fn incident(waves: &[Entering], rows: usize, motion: &Motion) -> Motion {
+    let count = motion.acceleration[0].len();
+    let mut sum = motion.clone().scaled(0.0);
+    for wave in waves {
+        let moves = wave.heading.polarisation();
+        let own = &*wave.motion;
+        let kinds = [
+            (&mut sum.acceleration, &own.acceleration),
+            (&mut sum.velocity, &own.velocity),
+            (&mut sum.displacement, &own.displacement),
+        ];
+        for (sum, own) in kinds {
+            let late = std::iter::repeat_n(0.0, rows).chain(own[wave.component].iter().copied());
+            let carried: Vec<f64> = match wave.factor.im == 0.0 {
+                true => late.map(|x| wave.factor.re * x).collect(),
+                // Turned in phase, as a surface beyond the critical angle turns it.
+                false => {
+                    let padded: Vec<f64> = late.chain(std::iter::repeat_n(0.0, 3 * count)).collect();
+                    tremolite_motion::transferred(&padded, motion.dt, &|_| wave.factor)
+                }
+            };
+            for (sum, share) in sum.iter_mut().zip(moves) {
+                sum.iter_mut().zip(&carried).for_each(|(sum, x)| *sum += share * x);
+            }
+        }
+    }
+    sum
+}
+
+impl std::fmt::Debug for PlannedWaves {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PlannedWaves").field("frame", &self.frame).finish_non_exhaustive()
+    }
+}
+
 /// Times and outputs of a run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -70,6 +141,8 @@ pub struct Plan {
     /// The motion that was recorded on or within layered ground; none where the wave that comes in is the one given times a
     /// factor.
     pub recorded: Option<Recorded>,
+    /// Waves at angles, which make the free field; none where one rises straight up.
+    pub waves: Option<PlannedWaves>,
     /// Time between rows of the histories \[s\]; a whole number of steps.
     pub histories: f64,
     /// Time between field files \[s\]; rounded to whole intervals of the histories.
@@ -100,6 +173,13 @@ pub struct Steps {
 }
 
 impl Plan {
+    /// The motion that shakes a model, in its axes, on the time of the run: the wave that rises, to be taken times a factor, or what
+    /// waves at angles carry. None without an earthquake.
+    pub fn shaken_by<'a>(&'a self, model: &'a Model) -> Option<&'a Motion> {
+        let rises = model.boundaries.incident.as_ref().map(|incident| &incident.motion);
+        rises.or(self.waves.as_ref().map(|waves| &waves.motion))
+    }
+
     /// Time between rows of the histories \[s\] where steps of the finest level are stable up to `step` \[s\]: as asked for, or every one.
     pub fn row(&self, step: f64) -> f64 {
         self.histories.max(step)

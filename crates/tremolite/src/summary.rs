@@ -153,6 +153,9 @@ pub fn summary(evidence: Evidence) -> Summary {
 fn given_peaks(plan: &Plan, motion: &MotionFacts) -> Option<[f64; 3]> {
     let largest = |a: &Vec<f64>| a.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     match (&plan.recorded, motion.factor) {
+        _ if plan.waves.is_some() => {
+            plan.waves.as_ref().map(|waves| waves.motion.acceleration.each_ref().map(largest))
+        }
         (Some(recorded), _) => Some(recorded.motion.acceleration.each_ref().map(largest)),
         (None, Some(factor)) => Some(motion.incident_peak.map(|peak| peak / factor.abs())),
         (None, None) => None,

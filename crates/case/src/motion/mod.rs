@@ -3,6 +3,7 @@
 mod component;
 mod site;
 mod target;
+mod wave;
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -14,6 +15,7 @@ pub use component::{Component, Direction, Record, RecordUnit, TextColumn};
 pub(crate) use site::unit_weights;
 pub use site::{Corner, Site, SiteLayer};
 pub use target::TargetSpectrum;
+pub use wave::{SurfacePart, Wave, WaveWord};
 
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
@@ -21,6 +23,7 @@ use crate::{Diagnostic, Spanned};
 
 const TIME: Kind = Kind::Number(Dimension::TIME, Limit::NotNegative);
 const DURATION: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
+const PLACE: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
 
 pub(crate) static MOTION: Table = Table {
     path: "motion",
@@ -70,6 +73,19 @@ pub(crate) static MOTION: Table = Table {
             r#""90 deg""#,
             "Direction of the model's x axis, clockwise from north",
         ),
+        Key::optional(
+            "wave",
+            Kind::Tables(&wave::WAVE),
+            "",
+            "Plane waves at angles, each with a component of the motion",
+        ),
+        Key::optional(
+            "at",
+            Kind::List(&PLACE, 2, 2),
+            "the centre of the base",
+            "Where in plan, in the model's x and y, waves at angles come at the time of the record",
+        )
+        .when(When::Beside("wave")),
     ],
     choice: &[&["file"], &["east", "north", "up"]],
 };
@@ -121,6 +137,10 @@ pub struct Motion {
     pub process: Vec<Spanned<String>>,
     /// Direction of the model's x axis, clockwise from north, rad.
     pub model_x_azimuth: Spanned<f64>,
+    /// Plane waves at angles; none: one rises straight up.
+    pub waves: Vec<Wave>,
+    /// Where in plan waves at angles have the record's time, m; nothing: at the centre of the base.
+    pub at: Option<Spanned<[f64; 2]>>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -164,6 +184,8 @@ impl Motion {
             sensitivity: f.text("sensitivity"),
             process: f.texts("process"),
             model_x_azimuth: f.number("model_x_azimuth")?,
+            waves: f.tables("wave").filter_map(Wave::read).collect(),
+            at: f.get("at").and_then(Node::numbers),
             span: f.span.clone(),
             depth: f.number("depth"),
             site: Site::read(f, gravity),
@@ -185,6 +207,7 @@ impl Motion {
     /// What lies between keys; looks at each value that is good, whatever the others are.
     pub(crate) fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
         site::check(f, problems);
+        wave::check(f, problems);
         f.table("target").into_iter().for_each(|target| TargetSpectrum::check(target, problems));
         if let Some(window) = f.get("window").and_then(Node::numbers::<2>)
             && window.value[1] <= window.value[0]

@@ -7,6 +7,7 @@
 use super::matrix::times;
 use crate::free_field::{FreeField, Now, Place};
 use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
+use std::collections::BTreeMap;
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
 
@@ -36,11 +37,24 @@ pub struct BasePart {
     nodes: Vec<u32>,
     pushed: Vec<BaseNode>,
     free_field: FreeField,
+    /// The points of all faces, each once though up to four nodes share it, and by node which are its own.
+    points: Vec<[f64; 3]>,
+    of_node: Vec<Vec<u32>>,
 }
 
 impl BasePart {
     pub fn new(pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
-        BasePart { nodes: pushed.iter().map(|b| b.node).collect(), pushed, free_field }
+        let (mut points, mut known) = (Vec::new(), BTreeMap::new());
+        let mut number = |at: [f64; 3]| -> u32 {
+            *known.entry(at.map(f64::to_bits)).or_insert_with(|| {
+                points.push(at);
+                points.len() as u32 - 1
+            })
+        };
+        let of_node =
+            pushed.iter().map(|base| base.place.shares.iter().map(|(at, _)| number(*at)).collect()).collect();
+        let nodes = pushed.iter().map(|b| b.node).collect();
+        BasePart { nodes, pushed, free_field, points, of_node }
     }
 }
 
@@ -69,13 +83,16 @@ impl Part for BasePart {
         let now = self.free_field.now(tick.time);
         let pushes = self.free_field.line();
         let mut work = Lines::default();
+        let stresses = now.stresses(&self.points);
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
-        for ((base, out), last) in self.pushed.iter().zip(out).zip(last) {
+        for (((base, points), out), last) in self.pushed.iter().zip(&self.of_node).zip(out).zip(last) {
             let du = x.increment(base.node).xyz();
             let scattered = base.scattered(&now, x.u);
             let spring = times(&base.spring, scattered);
             let before = times(&base.spring, [last[0], last[1], last[2]]);
-            let push = now.push(&base.place, &base.dashpot).map(|f| -f);
+            let push = now
+                .push(&base.place, &base.dashpot, points.iter().map(|&k| &stresses[k as usize]))
+                .map(|f| -f);
             for i in 0..3 {
                 work[Line::Springs] += 0.5 * (spring[i] + before[i]) * du[i];
                 work[pushes] += 0.5 * (push[i] + last[3 + i]) * du[i];

@@ -99,6 +99,7 @@ pub const TEXTS: Texts = &[
     // Waves.
     ("elements per shortest wavelength", "最短波长内的单元数（每波长单元数）"),
     ("no wave comes in", "没有波输入"),
+    ("waves at angles come through a free field that is theory itself", "斜入射波的自由场本身即为理论解"),
     (
         "shear waves of {frequency} Hz (99.9 % of the input's energy lies below) along the longest edge of {element}",
         "频率 {frequency} Hz（输入能量的 99.9 % 在此频率以下）的剪切波，沿{element} 的最长边",

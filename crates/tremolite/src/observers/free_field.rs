@@ -10,9 +10,11 @@
 //! which that compares: in the column that stands for the corner of the model nearest to it.
 
 mod columns;
+mod given;
 pub mod levels;
 mod seen;
 
+pub use given::AtCorners;
 pub use seen::{ColumnSeen, FreeFieldSeen, Theory};
 
 use super::observer::{Event, Observer, Setting, Stepped, View, Wants, Which};

@@ -35,7 +35,7 @@ pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fibres::Fibres;
 pub use fields::Fields;
-pub use free_field::{ColumnSeen, FreeField, FreeFieldSeen, Theory, chosen};
+pub use free_field::{AtCorners, ColumnSeen, FreeField, FreeFieldSeen, Theory, chosen};
 pub use growth::Growth;
 pub use histories::Histories;
 pub use interfaces::{InterfaceFields, Interfaces};
@@ -85,6 +85,7 @@ const OF_SHAKING: &[fn(&Setting) -> Made] = &[
     |s| boxed(Some(Energy::new(s)?)),
     |s| boxed(Some(Envelopes { schedule: s.rows() })),
     |s| boxed(FreeField::new(s)?),
+    |s| boxed(AtCorners::new(s)?),
     |s| boxed(recorded::AtRecord::new(s)),
     |s| boxed(DepthPeaks::new(s)),
     |s| boxed(Onsets::new(s)),

@@ -9,6 +9,7 @@
 use super::interfaces::pairs;
 use super::observer::{Event, Observer, Setting, Stepped, View, Wants, Which};
 use crate::error::RunError;
+use crate::plan::Plan;
 use crate::setup::facts::ENERGY_SHARE;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -50,18 +51,18 @@ pub struct Ringing {
 
 impl Ringing {
     /// What was seen at an interface of the user's after some steps; nothing where no wave comes in or nothing was followed.
-    pub fn of(model: &Model, memory: &Memory, interface: usize, steps: u64) -> Option<Self> {
+    pub fn of(model: &Model, plan: &Plan, memory: &Memory, interface: usize, steps: u64) -> Option<Self> {
         let kept = memory.get(MEMORY)?.get(SUMS * interface..SUMS * (interface + 1))?;
         let &[above, below, counted, _] = kept else { return None };
         let mean = |sum: f64| if counted > 0.0 { (sum / counted).sqrt() } else { 0.0 };
         let [above, below] = [above, below].map(mean);
-        Some(Ringing { above, below, counted: counted / steps as f64, corner: corner(model)? })
+        Some(Ringing { above, below, counted: counted / steps as f64, corner: corner(model, plan)? })
     }
 }
 
 /// Where the band above begins \[Hz\].
-fn corner(model: &Model) -> Option<f64> {
-    Some(ABOVE * highest_frequency(&model.boundaries.incident.as_ref()?.motion, ENERGY_SHARE)?)
+fn corner(model: &Model, plan: &Plan) -> Option<f64> {
+    Some(ABOVE * highest_frequency(plan.shaken_by(model)?, ENERGY_SHARE)?)
 }
 
 /// A pair that is followed.
@@ -93,7 +94,7 @@ impl Rings {
         if model.user_seams().is_empty() {
             return None;
         }
-        let corner = corner(model)?;
+        let corner = corner(model, setting.plan)?;
         let (mut of, mut followed) = (Vec::new(), Vec::new());
         for seam in model.user_seams() {
             let first = followed.len();

@@ -21,7 +21,7 @@ impl Spectra {
     /// Nothing where no wave comes in.
     pub fn new(setting: &Setting) -> Option<Self> {
         let Setting { folder, model, plan, .. } = *setting;
-        model.boundaries.incident.as_ref()?;
+        plan.shaken_by(model)?;
         let column = chosen(model, plan).map(|(column, _)| model.outside.columns[column].name.clone());
         Some(Spectra { folder: folder.clone(), plan: plan.clone(), column })
     }

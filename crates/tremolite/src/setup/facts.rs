@@ -1,7 +1,8 @@
 //! What of the motion of a case is worth reporting.
 
 use crate::deconvolution::Place;
-use tremolite_case::Diagnostic;
+use crate::waves::{Entering, Frame, WaveType};
+use tremolite_case::{self as case, Diagnostic};
 use tremolite_engine::column::corner_name;
 use tremolite_motion::{Intensity, Kind};
 
@@ -16,6 +17,12 @@ pub struct MotionFacts {
     pub factor: Option<f64>,
     /// How it was deconvolved.
     pub site: Option<SiteFacts>,
+    /// Waves at angles that carry it; none: one that rises straight up.
+    pub waves: Vec<WaveFacts>,
+    /// By how much they come later than in the record, so that nothing moves at time 0 \[s\].
+    pub lead: f64,
+    /// Bytes of the series of waves at angles.
+    pub series: usize,
     /// Along x, y, z of the model: measures of the processed given motion (before the factor).
     pub intensity: [Intensity; 3],
     /// Where the components came from, in words.
@@ -36,11 +43,71 @@ pub struct MotionFacts {
 impl MotionFacts {
     /// How the wave that comes in follows from the given motion, in lines to be read behind the kind.
     pub fn entering(&self) -> Vec<String> {
+        if !self.waves.is_empty() {
+            let lead = format!(
+                "the waves come {:.3} s later than in the record, so that nothing moves before; their series take {:.1} MB",
+                self.lead,
+                1e-6 * self.series as f64
+            );
+            return self.waves.iter().map(WaveFacts::words).chain([lead]).collect();
+        }
         match (&self.site, self.factor) {
             (Some(site), _) => site.words(),
             (None, Some(factor)) => vec![format!("the incident wave is {factor} times the given motion")],
             (None, None) => vec!["the incident wave is not known".into()],
         }
+    }
+}
+
+/// A wave at an angle.
+#[derive(Clone, Debug)]
+pub struct WaveFacts {
+    pub kind: WaveType,
+    /// From the vertical, and clockwise from north, as written \[rad\].
+    pub angle: f64,
+    pub azimuth: f64,
+    /// The component that it carries.
+    pub component: &'static str,
+    /// The wave over that: its size, and by how much it is turned in phase \[rad\], not 0 beyond a critical angle alone.
+    pub factor: f64,
+    pub phase: f64,
+    /// With which the field goes along in plan \[m/s\]; infinite straight up.
+    pub apparent_velocity: f64,
+    /// Whether it comes at some time; beyond a critical angle something runs ahead of it.
+    pub arrives: bool,
+}
+
+impl WaveFacts {
+    pub(super) fn of(wave: &Entering, written: &case::Wave, frame: &Frame) -> WaveFacts {
+        WaveFacts {
+            kind: wave.heading.kind,
+            angle: written.angle.value,
+            azimuth: written.azimuth.value,
+            component: written.component.value.word(),
+            factor: wave.factor.norm(),
+            phase: wave.factor.arg(),
+            apparent_velocity: 1.0 / wave.heading.slowness(&frame.ground.below()),
+            arrives: frame.arrives(wave),
+        }
+    }
+
+    /// In words, to be read behind the kind.
+    pub fn words(&self) -> String {
+        let WaveFacts { kind, component, factor, apparent_velocity, .. } = self;
+        let [angle, azimuth] = [self.angle, self.azimuth].map(|x| (1e6 * x.to_degrees()).round() / 1e6);
+        let speed = match apparent_velocity.is_finite() {
+            true => format!(", {apparent_velocity:.0} m/s along the ground"),
+            false => String::new(),
+        };
+        let ahead = if self.arrives {
+            ""
+        } else {
+            "; beyond a critical angle, so the field fades in before the wave comes"
+        };
+        format!(
+            "{} at {angle} deg towards {azimuth} deg is {factor:.3} times '{component}'{speed}{ahead}",
+            kind.word()
+        )
     }
 }
 

@@ -26,8 +26,10 @@ mod site;
 mod stages;
 mod unlikely;
 mod warnings;
+mod wave_sides;
+mod waves;
 
-pub use facts::{MotionFacts, SiteFacts};
+pub use facts::{MotionFacts, SiteFacts, WaveFacts};
 pub use inputs::{changed, hash, original_folder};
 pub use memory::Inputs;
 pub use page::limits;
@@ -163,8 +165,11 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         return Err(case.report(problems));
     };
     sides::check_planes(case, &mesh, &mut problems);
-    if let Some((motion, _)) = &motion {
-        sides::check_motion(case, motion, &mut problems);
+    let oblique = case.motion.as_ref().filter(|motion| !motion.waves.is_empty());
+    match (oblique, &motion) {
+        (Some(oblique), _) => waves::check_sides(case, oblique, &mut problems),
+        (None, Some((motion, _))) => sides::check_motion(case, motion, &mut problems),
+        (None, None) => {}
     }
     interfaces::tie(case, &mut mesh, &mut problems);
     let reference = reference(case, motion.as_ref());
@@ -197,7 +202,25 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         grounds: grounds(&mesh, &lasting, &interfaces, staged.lives()),
         overburden: case.initial.overburden.is_some(),
     };
+    let mut at_angles = None;
     let entering = match (&case.motion, motion, &mut facts) {
+        (Some(written), Some(motion), Some(facts)) if !written.waves.is_empty() => {
+            let around = around();
+            let (low, high) = mesh.bounds();
+            at_angles = waves::enter(case, written, &motion, facts, &around, [low, high], &mut problems);
+            if let Some(planned) = &at_angles {
+                let driven = wave_sides::Driven {
+                    bounds: (low, high),
+                    case,
+                    mesh: &mesh,
+                    bodies: &lasting,
+                    lives: staged.lives(),
+                };
+                driven.check(&planned.frame.ground, &interfaces, &mut problems);
+                warnings.extend(driven.warnings());
+            }
+            None
+        }
         (Some(written), Some(motion), Some(facts)) => {
             site::enter(written, motion, facts, around, &mut problems)
         }
@@ -206,7 +229,8 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     if !problems.is_empty() {
         return Err(case.report(problems));
     }
-    let motion = entering.as_ref().map(|entering| &entering.incident.motion);
+    let risen = entering.as_ref().map(|entering| &entering.incident.motion);
+    let motion = risen.or(at_angles.as_ref().map(|waves| &waves.motion));
 
     // Where an interface lies, nodes are doubled on purpose.
     warnings.extend(doubled.filter(|_| !interfaces::explain_doubled(&mesh, &interfaces)));
@@ -253,6 +277,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     problem.top = sides::top(dynamic.top.value);
     let (incident, recorded) = entering.map(|entering| (entering.incident, entering.recorded)).unzip();
     problem.incident = incident;
+    problem.free_field = at_angles.as_ref().map(|waves| waves.field.clone() as _);
     problem.rayleigh = rayleigh;
     problem.time_step = TimeStep {
         safety: dynamic.safety.value,
@@ -270,6 +295,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         stages: Staged::plan(case),
         duration,
         recorded: recorded.flatten(),
+        waves: at_angles,
         histories: output.histories.value,
         snapshots: output.snapshots.as_ref().map(|s| s.value),
         fields,

@@ -17,7 +17,7 @@ use tremolite_engine::exchange::To;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
-use tremolite_engine::{Engine, Halt, Snapshot};
+use tremolite_engine::{Engine, Halt, Incident, Snapshot};
 use tremolite_kernels::Lines;
 use tremolite_results::{Said, said};
 
@@ -110,6 +110,13 @@ impl Simulation {
             if let Some(recorded) = &plan.recorded {
                 transfer_table::write(folder, recorded)?;
             }
+        }
+        if let Some(waves) = &plan.waves
+            && first == 0
+            && writes
+        {
+            let incident = Incident { motion: waves.incident.clone(), factor: 1.0 };
+            motion_table::write(folder, &incident, Some(&waves.motion), plan.duration)?;
         }
         engine.own(state);
         let audience = self.audience(&self.phase, &self.state)?;

@@ -59,6 +59,7 @@ pub(crate) fn plan(stages: &[&str]) -> Plan {
         stages: stages.iter().map(|name| PlannedStage::new(*name)).collect(),
         duration: 1.0,
         recorded: None,
+        waves: None,
         histories: 0.1,
         snapshots: None,
         fields: Vec::new(),

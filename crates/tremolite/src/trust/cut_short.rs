@@ -20,7 +20,7 @@ pub(crate) fn left_after(motion: &Motion, time: f64) -> f64 {
 pub(super) fn line(evidence: &Evidence) -> TrustLine {
     const ID: &str = "motion_not_run";
     let name = said!("share of the motion after the end of the run");
-    let Some(incident) = &evidence.model.boundaries.incident else {
+    let Some(motion) = evidence.plan.shaken_by(evidence.model) else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };
     // A step may end just before the time that was asked for.
@@ -30,13 +30,13 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     } else {
         0.0
     });
-    TrustLine::at_most(ID, name, left_after(&incident.motion, time), NOT_RUN, "")
+    TrustLine::at_most(ID, name, left_after(motion, time), NOT_RUN, "")
         .with("end", time)
-        .with("motion", incident.motion.duration())
+        .with("motion", motion.duration())
         .with_note(said!(
             "of ∫a² dt, behind {end} s of {whole} s: what comes then has shaken nothing, and the largest values may be still to come",
             end = format!("{time:.2}"),
-            whole = format!("{:.2}", incident.motion.duration()),
+            whole = format!("{:.2}", motion.duration()),
         ))
 }
 

@@ -20,7 +20,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     if mass == 0.0 {
         return TrustLine::not_applicable(ID, name, said!("nothing is damped in proportion to its mass"));
     }
-    let motion = evidence.model.boundaries.incident.as_ref().map(|incident| &incident.motion);
+    let motion = evidence.plan.shaken_by(evidence.model);
     let Some(frequency) = motion.and_then(|motion| tremolite_motion::highest_frequency(motion, 0.5)) else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };

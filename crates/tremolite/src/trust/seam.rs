@@ -175,7 +175,7 @@ fn ringing(evidence: &Evidence, number: usize) -> TrustLine {
     let name = said!("{check}, {interface}", check = ringing_name(), interface = &seam.name);
     let none = |why: Said| TrustLine::not_applicable(&id, name.clone(), why);
     let Some(Ringing { above, below, counted, corner }) =
-        Ringing::of(model, &outcome.state.observers, number, outcome.taken)
+        Ringing::of(model, evidence.plan, &outcome.state.observers, number, outcome.taken)
     else {
         return none(said!("no wave comes in"));
     };

@@ -47,10 +47,10 @@ pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {
 pub(super) fn drift(evidence: &Evidence) -> TrustLine {
     const ID: &str = "input_drift";
     let name = said!("residual displacement of the input over its peak");
-    let Some(incident) = &evidence.model.boundaries.incident else {
+    let Some(motion) = evidence.plan.shaken_by(evidence.model) else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };
-    TrustLine::at_most(ID, name, incident.motion.drift(), DRIFT, "").with_note(said!(
+    TrustLine::at_most(ID, name, motion.drift(), DRIFT, "").with_note(said!(
         "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.process, behind \
          filter and taper"
     ))
@@ -63,6 +63,18 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         vec![none(free_field_theory()), none(model_against_free_field())]
     };
     let Evidence { model, outcome, .. } = evidence;
+    if evidence.plan.waves.is_some() {
+        let (id, name) = free_field_theory();
+        let none = TrustLine::not_applicable(
+            id,
+            name,
+            said!("waves at angles come through a free field that is theory itself"),
+        );
+        let Some(seen) = FreeFieldSeen::at_corners(&outcome.state.observers) else {
+            return both(said!("no row was written"));
+        };
+        return vec![none, against_columns(&seen.columns)];
+    }
     if model.boundaries.incident.is_none() {
         return both(said!("no wave comes in"));
     }

@@ -55,6 +55,7 @@ pub fn plan() -> Plan {
         stages: ["start", "bench 1"].map(PlannedStage::new).into(),
         duration: 0.12,
         recorded: None,
+        waves: None,
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Vec::new(),

@@ -102,6 +102,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             stages: Vec::new(),
             duration: 0.3,
             recorded: None,
+            waves: None,
             histories: 0.002,
             snapshots: Some(0.1),
             fields: Field::ALL.to_vec(),

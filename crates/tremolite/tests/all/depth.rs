@@ -74,6 +74,7 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
         stages: Vec::new(),
         duration: seconds,
         recorded: None,
+        waves: None,
         histories: 0.005,
         snapshots: None,
         fields: Vec::new(),

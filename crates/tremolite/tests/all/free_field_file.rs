@@ -54,6 +54,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
         stages: Vec::new(),
         duration: 0.7,
         recorded: None,
+        waves: None,
         histories: 0.005,
         snapshots: None,
         fields: Vec::new(),

@@ -301,6 +301,7 @@ fn most_used(quadrature: Quadrature) -> f64 {
         stages: Vec::new(),
         duration: 0.2,
         recorded: None,
+        waves: None,
         histories: 5e-4,
         snapshots: None,
         fields: Vec::new(),

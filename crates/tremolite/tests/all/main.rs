@@ -40,3 +40,5 @@ mod spectra;
 mod staged;
 mod stages;
 mod viscosity;
+mod waves_at_angles;
+mod waves_resumed;

@@ -14,7 +14,7 @@ const SHEAR: f64 = 800.0;
 /// Poisson's ratio 1/4: c_p = √3 c_s.
 const PRESSURE: f64 = 1_385.640_646_055_101_7;
 /// m
-const SIZE: [f64; 3] = [40.0, 32.0, 48.0];
+pub const SIZE: [f64; 3] = [40.0, 32.0, 48.0];
 /// Wave length over the speed \[s\].
 const PERIOD: f64 = 0.1;
 
@@ -136,7 +136,7 @@ impl GivenField for Waves {
 }
 
 /// Homogeneous rock with elements of `size`, driven on all boundaries.
-fn rock(size: f64, top: tremolite::Top) -> Problem {
+pub fn rock(size: f64, top: tremolite::Top) -> Problem {
     let cells = SIZE.map(|length| (length / size).round() as u32);
     let mesh = BoxSpec::uniform([0.0; 3], SIZE, cells).mesh().unwrap();
     let body = Body {
@@ -199,6 +199,30 @@ fn run(mut problem: Problem, field: &Waves, duration: f64) -> Found {
     let snapshot = engine.finish(&mut state);
     let missed = (snapshot.balance[Line::Error] - snapshot.scheme).abs() / state.ledger.supplied;
     Found { error: worst / peak, missed, halted }
+}
+
+/// Largest difference of any node from a field over its largest displacement, until a time \[s\], with this share of the stable
+/// step; at times that all nodes have.
+pub fn worst(ready: &Ready, safety: f64, field: &dyn Fn([f64; 3], f64) -> [f64; 3], duration: f64) -> f64 {
+    let mut engine = ready.engine();
+    let mut state = ready.rest(safety);
+    let (mut peak, mut worst) = (0.0_f64, 0.0_f64);
+    let mut step = 0;
+    while state.time() < duration {
+        engine.step(&mut state);
+        step += 1;
+        if step % 8 != 0 {
+            continue;
+        }
+        for n in 0..state.u.len() {
+            let exact = field(ready.model.mesh.nodes[ready.model.mesh_node[n] as usize], state.time());
+            for (found, exact) in state.u[n].xyz().into_iter().zip(exact) {
+                peak = peak.max(exact.abs());
+                worst = worst.max((found - exact).abs());
+            }
+        }
+    }
+    worst / peak
 }
 
 /// A pressure wave and a shear wave, both at an angle to every axis.

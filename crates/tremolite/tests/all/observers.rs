@@ -39,6 +39,7 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
         stages: stages.iter().map(|&name| PlannedStage::new(name)).collect(),
         duration: 0.03,
         recorded: None,
+        waves: None,
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Field::ALL.to_vec(),

@@ -173,6 +173,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         stages: Vec::new(),
         duration: 0.1,
         recorded: None,
+        waves: None,
         histories: 0.002,
         snapshots: None,
         fields: Vec::new(),

@@ -9,6 +9,7 @@ use crate::poison::OneSided;
 use crate::ready::Ready;
 use crate::rims_cavern::cavern;
 use crate::staged::stiffened;
+use crate::waves_at_angles::two_waves;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -54,6 +55,7 @@ fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
         boundaries: Default::default(),
         target: None,
         recorded: None,
+        waves: None,
         histories: 0.002,
         snapshots: Some(0.01),
         fields: Field::ALL.to_vec(),
@@ -260,6 +262,24 @@ fn all_sides_and_bases_give_the_same_on_several_ranks() {
             let ways = if k % 2 == 0 { [first, second] } else { [third, second] };
             Case::new(problem, &[], 0.012).holds(&format!("{side:?} {base:?}"), &ways);
         }
+    }
+}
+
+#[test]
+fn waves_at_angles_give_the_same_on_several_ranks_with_levels_or_without() {
+    for levels in [false, true] {
+        let mut problem = shaken(block([6, 5, 10]));
+        let (low, high) = problem.mesh.bounds();
+        assert_eq!(low, [0.0; 3]);
+        let field = two_waves(high, &problem.bodies[0], problem.top);
+        problem.incident = None;
+        problem.free_field = Some(Arc::new(field));
+        problem.sides = [Side::FreeField; 2];
+        problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: Some(20.0) };
+        let plan = plan(&problem, &[], 0.012);
+        let ready = Ready::new(problem);
+        let ready = if levels { ready.levelled(|[_, _, z]| (z / 3.0) as u8) } else { ready };
+        Case::of(ready, plan).holds(&format!("waves at angles, {levels}"), &SOME[..2]);
     }
 }
 

@@ -120,6 +120,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         stages,
         duration: 0.0,
         recorded: None,
+        waves: None,
         histories: 1.0,
         snapshots: None,
         fields: Vec::new(),

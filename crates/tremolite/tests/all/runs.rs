@@ -32,6 +32,7 @@ fn plan(problem: &Problem) -> Plan {
         stages: Vec::new(),
         duration: 0.12,
         recorded: None,
+        waves: None,
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Field::ALL.to_vec(),

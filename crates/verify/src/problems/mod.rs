@@ -47,6 +47,7 @@ problems! {
     layered_column Test,
     layer_transfer Test,
     recorded_motion Test,
+    oblique_waves Test,
     free_field_tunnel Test,
     mirror_image Test,
     box_size Verify,

@@ -1,7 +1,7 @@
 //! What is said of a case, as one JSON object. Numbers are in SI.
 
 use super::Checked;
-use crate::setup::SiteFacts;
+use crate::setup::{SiteFacts, WaveFacts};
 use serde_json::{Map, Value, json};
 use tremolite_case::{Diagnostic, Mesh};
 use tremolite_engine::column::corner_name;
@@ -29,6 +29,8 @@ impl Checked<'_> {
                 "window": motion.window,
                 "kind": motion.kind.to_string(),
                 "incident_factor": motion.factor,
+                "waves": motion.waves.iter().map(wave).collect::<Vec<_>>(),
+                "lead": (!motion.waves.is_empty()).then_some(motion.lead),
                 "deconvolved": motion.site.as_ref().map(deconvolved),
                 "peaks": peaks,
                 "highest_frequency": motion.highest_frequency,
@@ -113,6 +115,19 @@ impl Checked<'_> {
 }
 
 /// How a record on or within layered ground was deconvolved; what is infinite is null.
+fn wave(wave: &WaveFacts) -> Value {
+    json!({
+        "type": wave.kind.word(),
+        "angle": wave.angle,
+        "azimuth": wave.azimuth,
+        "component": wave.component,
+        "factor": wave.factor,
+        "phase": wave.phase,
+        "apparent_velocity": wave.apparent_velocity.is_finite().then_some(wave.apparent_velocity),
+        "arrives": wave.arrives,
+    })
+}
+
 fn deconvolved(site: &SiteFacts) -> Value {
     json!({
         "depth": site.depth,

@@ -1,6 +1,7 @@
 //! What was seen of the free field, as the state remembers it.
 
 use super::columns::watched;
+use tremolite_engine::column::corner_name;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 
@@ -59,6 +60,11 @@ impl FreeFieldSeen {
     pub fn of(model: &Model, memory: &Memory) -> Option<Self> {
         let names = watched(model).into_iter().map(|column| column.name);
         Self::named(memory, names)
+    }
+
+    /// What the state remembers of a given free field at the four corners of the model.
+    pub fn at_corners(memory: &Memory) -> Option<Self> {
+        Self::named(memory, (0..4).map(corner_name))
     }
 
     /// What the state remembers of columns of these names.

@@ -1,0 +1,140 @@
+//! `[[motion.wave]]`: a plane wave at an angle that carries a component of the motion.
+
+use std::ops::Range;
+
+use tremolite_laws::parameter::Dimension;
+
+use super::Direction;
+use crate::fields::Fields;
+use crate::keys::{Key, Kind, Limit, Table, When, words};
+use crate::{Diagnostic, Spanned};
+
+/// 89°: nearer to level a wave never gets through a model.
+const STEEPEST: f64 = 89.0 / 180.0 * std::f64::consts::PI;
+
+pub(crate) static WAVE: Table = Table {
+    path: "motion.wave",
+    doc: "A plane wave at an angle that carries a component of the motion. Several are added; all have the record's time at `at`.",
+    keys: &[
+        Key::required("type", Kind::Word(WaveWord::WORDS), "what it is: P, SV or SH"),
+        Key::required(
+            "angle",
+            Kind::Number(Dimension::ANGLE, Limit::Within(STEEPEST)),
+            "its way from the vertical, in the rock of the base",
+        ),
+        Key::required(
+            "azimuth",
+            Kind::Number(Dimension::ANGLE, Limit::Any),
+            "its way in plan, clockwise from north",
+        ),
+        Key::required(
+            "component",
+            Kind::Word(Direction::WORDS),
+            "which component of the motion is its own: along its way (P), h cos θ − z sin θ (SV) or z × h (SH), h being its way in plan",
+        ),
+        Key::default("scale", Kind::Number(Dimension::NONE, Limit::Any), "1.0", "Factor on that component"),
+        Key::optional(
+            "part",
+            Kind::Word(SurfacePart::WORDS),
+            "",
+            "With `kind = \"outcrop\"`, the part of the rock surface's motion under it that the component is: \"along\" unless given",
+        )
+        .when(When::IsNot("type", "SH")),
+    ],
+    choice: &[],
+};
+
+words! {
+    /// The type of a plane wave.
+    WaveWord {
+        /// Pressure: it moves along its way.
+        P = "P",
+        /// Shear in the vertical plane of its way.
+        Sv = "SV",
+        /// Shear across that plane.
+        Sh = "SH",
+    }
+}
+
+words! {
+    /// A part of the motion of a rock surface under a P or SV wave.
+    SurfacePart {
+        /// Along the wave's way in plan.
+        Along = "along",
+        /// Upwards.
+        Up = "up",
+    }
+}
+
+/// A plane wave at an angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wave {
+    /// What it is.
+    pub kind: Spanned<WaveWord>,
+    /// Its way from the vertical in the rock of the base, rad.
+    pub angle: Spanned<f64>,
+    /// Its way in plan, clockwise from north, rad.
+    pub azimuth: Spanned<f64>,
+    /// The component of the motion that it carries.
+    pub component: Spanned<Direction>,
+    /// Factor on that.
+    pub scale: Spanned<f64>,
+    /// With an outcrop's motion, which part of that the component is; nothing: along its way, across it for SH.
+    pub part: Option<Spanned<SurfacePart>>,
+    /// Its table in the case.
+    pub span: Range<usize>,
+}
+
+impl Wave {
+    pub(super) fn read(f: &Fields) -> Option<Self> {
+        Some(Wave {
+            kind: f.word("type", WaveWord::from_word)?,
+            angle: f.number("angle")?,
+            azimuth: f.number("azimuth")?,
+            component: f.word("component", Direction::from_word)?,
+            scale: f.number("scale")?,
+            part: f.word("part", SurfacePart::from_word),
+            span: f.span.clone(),
+        })
+    }
+}
+
+/// Refuses waves that are no part of the motion that is given.
+pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
+    let waves: Vec<&Fields> = motion.tables("wave").collect();
+    if let (Some(wave), Some(kind)) = (waves.first(), motion.text("kind"))
+        && ["within", "surface"].contains(&kind.value.as_str())
+    {
+        problems.push(Diagnostic::new(
+            wave.span.clone(),
+            format!(
+                "a motion of kind \"{}\" goes through layered ground straight up alone, and waves at an angle are given beside it",
+                kind.value
+            ),
+            "give the waves' own motion with kind = \"incident\", or that of bare rock with \"outcrop\"; or leave the waves out",
+        ));
+    }
+    let part = waves.iter().find_map(|wave| wave.get("part"));
+    if let (Some(part), Some(kind)) = (part, motion.text("kind"))
+        && kind.value == "incident"
+    {
+        problems.push(Diagnostic::new(
+            part.span.clone(),
+            "`part` is one of a rock surface's motion, and the motion is the incident wave itself",
+            "leave it out, or write kind = \"outcrop\"",
+        ));
+    }
+    if motion.text("file").is_some() {
+        return;
+    }
+    for wave in waves {
+        let Some(component) = wave.word("component", Direction::from_word) else { continue };
+        if motion.table(component.value.word()).is_none() {
+            let message = format!(
+                "the motion has no component '{}' that this wave could carry",
+                component.value.word()
+            );
+            problems.push(Diagnostic::at(&component, message, "name one that [motion] gives"));
+        }
+    }
+}

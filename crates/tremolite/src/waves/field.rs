@@ -1,0 +1,178 @@
+//! The free field of one or several plane waves, at every place of a model's boundaries.
+
+use super::ground::LayeredGround;
+use super::heading::{Heading, WaveType};
+use super::series::{Grid, Rings, Series, Signal, arrives, bytes};
+use std::sync::Arc;
+use tremolite_engine::free_field::GivenField;
+use tremolite_motion::{Complex64, Motion};
+
+/// A wave as it enters.
+#[derive(Clone)]
+pub struct Entering {
+    pub heading: Heading,
+    /// The record that it carries, which of its components, and what they are times: for a wave of e^(iωt), ω > 0.
+    pub motion: Arc<Motion>,
+    pub component: usize,
+    pub factor: Complex64,
+}
+
+/// What all waves come through.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    pub ground: LayeredGround,
+    /// The model's corners \[m\].
+    pub bounds: [[f64; 3]; 2],
+    /// Where in plan the waves have the time of the record \[m\], the model's own x and y.
+    pub at: [f64; 2],
+    /// Highest frequency \[Hz\].
+    pub frequency: f64,
+    /// How long it is computed \[s\]; nothing: as long as the record and the lead.
+    pub duration: Option<f64>,
+}
+
+/// Why there is no field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unsuitable {
+    /// Which of the waves.
+    pub wave: usize,
+    pub rings: Rings,
+}
+
+/// One wave.
+struct OneWave {
+    heading: Heading,
+    /// p h \[s/m\]
+    slowness: [f64; 2],
+    series: Series,
+}
+
+/// The sum of plane waves.
+pub struct ObliqueField {
+    waves: Vec<OneWave>,
+    at: [f64; 2],
+    base: f64,
+    lead: f64,
+}
+
+impl Frame {
+    /// The later a wave comes to the corners than to the reference point, least and most \[s\].
+    fn delays(&self, heading: &Heading) -> [f64; 2] {
+        let p = heading.slowness(&self.ground.below());
+        let of = |x: usize, y: usize| {
+            let [dx, dy] = [self.bounds[x][0] - self.at[0], self.bounds[y][1] - self.at[1]];
+            p * (heading.along[0] * dx + heading.along[1] * dy)
+        };
+        let all = [of(0, 0), of(1, 0), of(0, 1), of(1, 1)];
+        [all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// Until when the series of a wave are asked for \[s\], on the time of its record.
+    fn until(&self, wave: &Entering) -> f64 {
+        let [least, most] = self.delays(&wave.heading);
+        self.duration.unwrap_or(0.0).max(wave.motion.duration()) + (most - least) + 20.0 / self.frequency
+    }
+
+    /// Bytes of the series of some waves, without a lead where nothing arrives.
+    pub fn bytes(&self, waves: &[Entering]) -> f64 {
+        let levels = Grid::new(&self.ground, self.frequency).count();
+        waves.iter().map(|wave| bytes(wave.heading.kind, levels, self.until(wave), self.frequency)).sum()
+    }
+
+    /// Levels at which series are kept.
+    pub fn levels(&self) -> usize {
+        Grid::new(&self.ground, self.frequency).count()
+    }
+
+    /// Whether a wave comes at some time, and not from ever on.
+    pub fn arrives(&self, wave: &Entering) -> bool {
+        arrives(&self.ground, &wave.heading)
+    }
+}
+
+impl ObliqueField {
+    /// Of waves in ground.
+    ///
+    /// # Errors
+    /// If the ground rings longer under a wave than can be followed.
+    pub fn new(frame: &Frame, waves: &[Entering]) -> Result<ObliqueField, Unsuitable> {
+        let mut lead = 0.0_f64;
+        let mut all = Vec::with_capacity(waves.len());
+        for (k, wave) in waves.iter().enumerate() {
+            let component = wave.component;
+            let displacement = |t: f64| wave.motion.at(t).u[component];
+            let signal = Signal {
+                displacement: &displacement,
+                factor: wave.factor,
+                frequency: frame.frequency,
+                until: frame.until(wave),
+            };
+            let series = Series::of(&frame.ground, &wave.heading, &signal)
+                .map_err(|rings| Unsuitable { wave: k, rings })?;
+            lead = lead.max(-frame.delays(&wave.heading)[0] - series.start);
+            let p = wave.heading.slowness(&frame.ground.below());
+            all.push(OneWave { heading: wave.heading, slowness: wave.heading.along.map(|h| p * h), series });
+        }
+        Ok(ObliqueField { waves: all, at: frame.at, base: frame.bounds[0][2], lead })
+    }
+
+    /// By how much the field is later than the records \[s\], so that nothing moves at time 0.
+    pub fn lead(&self) -> f64 {
+        self.lead
+    }
+
+    /// What the series take of memory.
+    pub fn bytes(&self) -> usize {
+        self.waves.iter().map(|wave| wave.series.bytes()).sum()
+    }
+
+    /// Time on that of a wave's series.
+    fn time(&self, wave: &OneWave, at: [f64; 3], time: f64) -> f64 {
+        let [px, py] = wave.slowness;
+        time - self.lead - px * (at[0] - self.at[0]) - py * (at[1] - self.at[1])
+    }
+}
+
+impl GivenField for ObliqueField {
+    fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
+        let mut out = [0.0; 3];
+        let height = at[2] - self.base;
+        for wave in &self.waves {
+            let (time, [hx, hy]) = (self.time(wave, at, time), wave.heading.along);
+            if wave.heading.kind == WaveType::Sh {
+                let [u] = wave.series.displacement(height, time);
+                out[0] -= hy * u;
+                out[1] += hx * u;
+            } else {
+                let [along, up] = wave.series.displacement(height, time);
+                out[0] += hx * along;
+                out[1] += hy * along;
+                out[2] += up;
+            }
+        }
+        out
+    }
+
+    fn stress(&self, at: [f64; 3], time: f64) -> [f64; 6] {
+        let mut out = [0.0; 6];
+        let height = at[2] - self.base;
+        for wave in &self.waves {
+            let (time, [x, y]) = (self.time(wave, at, time), wave.heading.along);
+            let own = if wave.heading.kind == WaveType::Sh {
+                // t = (−y, x).
+                let [along, up] = wave.series.stress(height, time);
+                let twice = 2.0 * x * y * along;
+                [-twice, twice, 0.0, (x * x - y * y) * along, x * up, -y * up]
+            } else {
+                let [hh, tt, zz, hz] = wave.series.stress(height, time);
+                [x * x * hh + y * y * tt, y * y * hh + x * x * tt, zz, x * y * (hh - tt), y * hz, x * hz]
+            };
+            out.iter_mut().zip(own).for_each(|(sum, s)| *sum += s);
+        }
+        out
+    }
+
+    fn peak_velocity(&self) -> f64 {
+        self.waves.iter().map(|wave| wave.series.peak).sum()
+    }
+}
