@@ -286,7 +286,7 @@ fn a_run_in_two_halves_is_one() {
     let stopped = begun.end(&job, &outcome, &Caller::new("test")).unwrap();
     assert_eq!((stopped.conclusion.status, stopped.computed.model.steps), (Status::Stopped, half));
     assert_ne!(tables(whole.root()), tables(halves.root()), "half of it is not all of it");
-    drop((begun, halves));
+    drop((begun, halves, simulation));
 
     // Another case, and another record in memory, are not resumed.
     let again = || ResultFolder::resume(Some(&parent.join("halves")), "halves").unwrap();

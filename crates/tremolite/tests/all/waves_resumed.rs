@@ -75,7 +75,7 @@ fn a_staged_cavern_is_quiet_goes_on_where_it_stopped_and_has_its_mirror_image() 
     simulation.checkpoint().unwrap();
     let outcome = simulation.finish(Ending::Stopped, 0.0).unwrap();
     begun.end(&one, &outcome, &Caller::new("test")).unwrap();
-    drop(begun);
+    drop((begun, simulation));
     assert_ne!(bytes(&whole), bytes(&halves));
     drop(halves);
     let again = || ResultFolder::resume(Some(&parent.join("halves")), "halves").unwrap();
