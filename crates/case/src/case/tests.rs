@@ -32,6 +32,11 @@ fn cases() -> Vec<String> {
     let axis = "{ from = \"-1 m\", to = \"1 m\", elements = 3, growth = 1.1 }";
     let (head, rest) = EVERY_KEY.split_once("east = {").expect("a component");
     let (_, tail) = rest.split_once("process").expect("processing");
+    let (with_motion, rest) = EVERY_KEY.split_once("kind = \"within\"").expect("a motion");
+    let (_, component) = rest.split_once("\neast = ").expect("a component");
+    let (component, dynamic) = component.split_once("[dynamic]").expect("boundaries");
+    let with_waves =
+        |waves: &str| format!("{with_motion}kind = \"outcrop\"\neast = {component}{waves}[dynamic]{dynamic}");
     vec![
         EVERY_KEY.to_owned(),
         with_mesh(&format!(
@@ -49,6 +54,9 @@ fn cases() -> Vec<String> {
             "file = \"bolts.csv\"",
         ),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
+        with_waves(
+            "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n",
+        ),
     ]
 }
 
