@@ -275,11 +275,12 @@ fn grow(mesh: &mut Mesh, wall: &[Face], ways: &BTreeMap<u32, [f64; 3]>, layers: 
 fn poor(mesh: &Mesh, new: std::ops::Range<u32>, lining: &HoleLining) -> Option<CastError> {
     let jacobian = |e: u32| quality::of(mesh, e as usize).scaled_jacobian;
     let worst = new.min_by(|&a, &b| jacobian(a).total_cmp(&jacobian(b)))?;
+    let least = jacobian(worst);
     // It is not a number where an edge has no length.
-    (!(jacobian(worst) >= JACOBIAN)).then(|| CastError::Poor {
+    (least.is_nan() || least < JACOBIAN).then(|| CastError::Poor {
         name: lining.name.clone(),
         at: crate::places::middle(mesh, worst),
-        jacobian: jacobian(worst),
+        jacobian: least,
     })
 }
 
