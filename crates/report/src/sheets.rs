@@ -162,7 +162,7 @@ fn method(language: Language, summary: &Summary) -> Vec<String> {
         say!(language, "Displacements and strains are small; there is no pore water and no temperature."),
         say!(
             language,
-            "Waves come in vertically from below; the ground beside the model is that of its sides."
+            "Plane waves come in from below; the ground beside the model is that of its sides."
         ),
         say!(
             language,

@@ -56,8 +56,8 @@ pub const TEXTS: Texts = &[
         "小位移、小应变；不计孔隙水与温度。",
     ),
     (
-        "Waves come in vertically from below; the ground beside the model is that of its sides.",
-        "地震波自下部竖直入射；模型以外的围岩与其侧面相同。",
+        "Plane waves come in from below; the ground beside the model is that of its sides.",
+        "平面地震波自下部入射；模型以外的围岩与其侧面相同。",
     ),
     (
         "The width of a single crack depends on the mesh; pieces that come loose are not followed.",
