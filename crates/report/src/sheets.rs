@@ -160,10 +160,7 @@ fn figures(sections: &[Placed]) -> Vec<SheetFigure> {
 fn method(language: Language, summary: &Summary) -> Vec<String> {
     let mut all = vec![
         say!(language, "Displacements and strains are small; there is no pore water and no temperature."),
-        say!(
-            language,
-            "Plane waves come in from below; the ground beside the model is that of its sides."
-        ),
+        say!(language, "Plane waves come in from below; the ground beside the model is that of its sides."),
         say!(
             language,
             "The width of a single crack depends on the mesh; pieces that come loose are not followed."
