@@ -111,9 +111,13 @@ def test_ctrl_c_stops_a_study_in_good_order_and_it_goes_on(column, tmp_path):
     whole = made(slow, tmp_path / "whole", vary={}, sample=None).run()
     study = made(slow, tmp_path / "a", vary={}, sample=None)
 
+    pressed = []
+
     def press(line):
-        if line.endswith("…"):
-            threading.Timer(0.6, os.kill, (os.getpid(), signal.SIGINT)).start()
+        # Once: each row is told of, and a second Ctrl-C would stop the test.
+        if line.endswith("…") and not pressed:
+            pressed.append(line)
+            threading.Timer(0.4, os.kill, (os.getpid(), signal.SIGINT)).start()
 
     with pytest.raises(tr.Stopped) as caught:
         study.run(at_once=1, progress=press)
