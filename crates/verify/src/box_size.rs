@@ -5,7 +5,7 @@ use crate::VerifyError;
 use crate::models::{Solid, material};
 use crate::simulation::{Simulation, whole_steps};
 use tremolite::hexahedra::centroid;
-use tremolite::{Base, Body, Domain, Incident, Problem, Quadrature, Side, stable_step};
+use tremolite::{Base, Body, Domain, Incident, Problem, Quadrature, Side};
 use tremolite_laws::materials::MohrCoulomb;
 use tremolite_laws::{Material, Values};
 use tremolite_mesh::boxes::BoxSpec;
@@ -112,7 +112,7 @@ pub fn shake(mass: RockMass, sides: Side, widths: u32, frequency: f64) -> Result
             y == 0.0 && x.max(z).abs() < 1e-6
         })
         .collect();
-    let stable = stable_step(&simulation.model, &simulation.assembly, &simulation.phase).to_run(0.9);
+    let stable = simulation.bound().to_run(0.9);
     // One step for all boxes, whose bounds differ by round-off.
     let (every, dt) = whole_steps(5e-3, (stable * 1e5).floor() * 1e-5);
     let mut rows = Vec::new();

@@ -70,6 +70,12 @@ impl Check {
         self
     }
 
+    /// Makes it one for information, where it says what the setting does not let one judge.
+    pub(crate) fn only_told(&mut self) {
+        self.tolerance = None;
+        self.pass = self.value.is_finite();
+    }
+
     /// The figure's name for programs, in snake case: the words of problem and quantity, and so unique over all problems
     /// ([`crate::Verification::verify`]).
     pub fn id(&self) -> String {

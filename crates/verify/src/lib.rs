@@ -49,6 +49,7 @@ pub use error::VerifyError;
 pub use problem::{Verification, Verified};
 pub use problems::PROBLEMS;
 pub use select::{UnknownName, select};
+pub use simulation::force_levels;
 
 #[cfg(test)]
 mod tests;

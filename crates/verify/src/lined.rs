@@ -6,7 +6,7 @@ use crate::models::Solid;
 use crate::simulation::{Simulation, whole_steps};
 use std::collections::BTreeMap;
 use tremolite::hexahedra::centroid;
-use tremolite::{Base, Incident, Interface, Problem, Quadrature, Side, State, stable_step};
+use tremolite::{Base, Incident, Interface, Problem, Quadrature, Side, State};
 use tremolite_mesh::boxes::{BoxError, BoxSpec};
 use tremolite_motion::{Motion, ricker_velocity};
 
@@ -90,7 +90,7 @@ pub fn shake(
     mut see: impl FnMut(&Corners),
 ) -> Result<(Simulation, State), VerifyError> {
     let simulation = Simulation::new(problem)?;
-    let stable = stable_step(&simulation.model, &simulation.assembly, &simulation.phase);
+    let stable = simulation.bound();
     let (every, dt) = whole_steps(1e-3, dt.min(stable.to_run(0.9)));
     let mut engine = simulation.engine();
     let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);

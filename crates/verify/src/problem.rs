@@ -1,5 +1,6 @@
 //! One verification problem and what comes of it.
 
+use crate::simulation::levels_are_forced;
 use crate::{Check, Effort, VerifyError};
 use std::collections::BTreeSet;
 use std::time::Instant;
@@ -41,6 +42,9 @@ impl Verification {
         let start = Instant::now();
         let mut checks = (self.run)(effort).unwrap_or_else(|error| vec![Check::broken(self.name, &error)]);
         let seconds = start.elapsed().as_secs_f64();
+        if levels_are_forced() {
+            checks.iter_mut().filter(|check| check.quantity.contains("order in ")).for_each(Check::only_told);
+        }
         let mut ids = BTreeSet::new();
         if let Some(twice) = checks.iter().map(Check::id).find(|id| !ids.insert(id.clone())) {
             checks.push(Check::broken(self.name, &VerifyError::SameId(twice)));

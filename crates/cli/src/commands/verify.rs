@@ -14,6 +14,9 @@ pub struct Args {
     /// Only the problems that `cargo test` leaves out because they take more than 2 s
     #[arg(long, conflicts_with_all = ["names", "full"])]
     beyond_tests: bool,
+    /// On up to four levels of steps, in bands over each mesh that allows them: all figures must hold with them as well
+    #[arg(long)]
+    levels: bool,
     /// One list of all figures, each with the seconds of its problem
     #[arg(long)]
     json: bool,
@@ -21,6 +24,9 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Outcome {
     let effort = if args.full { Effort::Full } else { Effort::Verify };
+    if args.levels {
+        tremolite_verify::force_levels();
+    }
     let names: Vec<&str> = args.names.iter().map(String::as_str).collect();
     let mut problems = tremolite_verify::select(&names).map_err(Failure::input)?;
     problems.retain(|problem| !args.beyond_tests || problem.from > Effort::Test);

@@ -14,7 +14,7 @@ use crate::joints::joint;
 use crate::models::Solid;
 use crate::simulation::{Simulation, whole_steps};
 use crate::{Check, Effort, Verification, VerifyError};
-use tremolite::{Line, Quadrature, stable_step};
+use tremolite::{Line, Quadrature};
 use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "bars_collide";
@@ -57,7 +57,7 @@ fn collide(n: u32) -> Result<Outcome, VerifyError> {
     let simulation = Simulation::new(problem)?;
     let speed = (BAR.young / BAR.density).sqrt();
     let contact = 2.0 * LENGTH / speed;
-    let stable = stable_step(&simulation.model, &simulation.assembly, &simulation.phase);
+    let stable = simulation.bound();
     let (steps, dt) = whole_steps(1.5 * contact, stable.to_run(0.9));
 
     // Nodes of the upper bar: those of its elements.

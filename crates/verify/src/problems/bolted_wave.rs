@@ -83,7 +83,7 @@ struct Outcome {
 }
 
 fn shake(kind: Option<Bolts>, along: [f64; 3], steps: u64, dt: f64) -> Result<Outcome, VerifyError> {
-    let simulation = Simulation::new(problem(kind, along)?)?;
+    let simulation = Simulation::on_one_level(problem(kind, along)?)?;
     let model = &simulation.model;
     let mut watched: Vec<Watched> = model.bolts.iter().flat_map(|set| &set.bolts).map(Watched::new).collect();
     let mut engine = simulation.engine();
@@ -110,7 +110,7 @@ fn shake(kind: Option<Bolts>, along: [f64; 3], steps: u64, dt: f64) -> Result<Ou
 
 fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let mut checks = Vec::new();
-    let stable = |kind: Option<Bolts>| Ok::<_, VerifyError>(Simulation::new(problem(kind, P)?)?.stable());
+    let stable = |kind: Option<Bolts>| Ok::<_, VerifyError>(Simulation::on_one_level(problem(kind, P)?)?.stable());
     let bare = stable(None)?;
     let kinds = [("moving with the rock", None), ("bonded", Some(FIRM))];
     for (word, bond) in kinds {
@@ -252,7 +252,7 @@ fn rows(
     dt: f64,
     sense: f64,
 ) -> Result<BTreeMap<[i64; 3], Vec<f64>>, VerifyError> {
-    let simulation = Simulation::new(problem(Some(kind), along)?)?;
+    let simulation = Simulation::on_one_level(problem(Some(kind), along)?)?;
     let mut rows: BTreeMap<[i64; 3], Vec<f64>> = BTreeMap::new();
     simulation.run_from_rest(dt, steps, |state| {
         if state.step.is_multiple_of(10) {

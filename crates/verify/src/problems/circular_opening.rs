@@ -206,7 +206,7 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
         .enumerate()
         .map(|(n, held)| (n as u32, held))
         .collect();
-    let simulation = Simulation::new(problem)?;
+    let simulation = Simulation::on_one_level(problem)?;
     let moduli = ROCK.moduli();
     let compression = FAR / (3.0 * moduli.lambda + 2.0 * moduli.mu);
     let dt = 0.9 * simulation.stable();

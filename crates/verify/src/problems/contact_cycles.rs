@@ -89,7 +89,7 @@ fn bounce(law: Spring, step: f64, damping: Option<f64>, bounces: u32) -> Result<
     let (mut problem, firsts) = blocks(BLOCKS, law, damping)?;
     let weights = firsts.iter().enumerate().map(|(k, &n)| (n, [0.0, 0.0, -weight(k) * MASS])).collect();
     problem.loads = vec![Load { forces: weights, factor: Arc::new(|_| 1.0) }];
-    let simulation = Simulation::new(problem)?;
+    let simulation = Simulation::on_one_level(problem)?;
     let nodes: Vec<usize> = firsts.iter().map(|&n| simulation.model.engine_node[n as usize] as usize).collect();
     let dt = step / simulation.assembly.contacts[0].frequency;
     let mut engine = simulation.engine();

@@ -39,7 +39,7 @@ fn drift(quadrature: Quadrature) -> Result<f64, VerifyError> {
     let rock = Solid { young: 10e9, poisson: 0.25, density: 2700.0 };
     let mut problem = rock.fill(distorted([4.0; 3], [4; 3], 0.14)?, quadrature);
     problem.base = Base::Fixed;
-    let simulation = Simulation::new(problem)?;
+    let simulation = Simulation::on_one_level(problem)?;
     let dt = 0.9 * simulation.stable();
     let mut engine = simulation.engine();
     let random = |n: usize, i: usize| 0.1 * ((3 * n + i) as f64 * 12.9898).sin();

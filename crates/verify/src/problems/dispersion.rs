@@ -87,7 +87,7 @@ fn standing(quadrature: Quadrature, speed: f64, axis: usize, elements: u32) -> R
     problem.sides = [Side::Periodic; 2];
     let layer = problem.mesh.nodes.len() as u32 / (elements + 1);
     problem.ties = (0..layer).map(|n| (n, n + elements * layer)).collect();
-    let simulation = Simulation::new(problem)?;
+    let simulation = Simulation::on_one_level(problem)?;
     let dt = 0.9 * simulation.stable();
     let k = TAU / (SIZE * f64::from(elements));
     let shape: Vec<f64> =

@@ -14,7 +14,7 @@ use crate::{Check, Effort, Verification, VerifyError};
 use std::collections::BTreeMap;
 use tremolite::history::History;
 use tremolite::phase::ElementSlot;
-use tremolite::{Base, Engine, Side, State, stable_step};
+use tremolite::{Base, Engine, Side, State};
 use tremolite_laws::materials::{Concrete, MohrCoulomb};
 use tremolite_laws::{Material, Role, Values};
 
@@ -157,13 +157,12 @@ fn shake(makeup: Makeup, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
         problem.bodies[0].viscosity = 0.06;
     }
     let simulation = Simulation::new(problem)?;
-    let stable = stable_step(&simulation.model, &simulation.assembly, &simulation.phase);
+    let stable = simulation.bound();
     // One step for all kinds of sides, whose bounds differ by round-off.
     let step = (stable.to_run(0.85) * 1e7).floor() * 1e-7;
     let (every, dt) = whole_steps(1e-3, step);
     let mut engine: Engine = simulation.engine();
-    let mut state = simulation.assembly.rest();
-    state.dt = dt;
+    let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
     let mut rows = [Rows::new(), Rows::new()];
     while state.time() < end {
         rows[0].push(section(&simulation, &state, simulation.model.nodes.of(Domain::Model), |y| y.abs() < 1e-6));
@@ -174,7 +173,7 @@ fn shake(makeup: Makeup, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
         }
     }
     engine.finish(&mut state);
-    let Simulation { model, assembly, phase } = &simulation;
+    let Simulation { model, assembly, phase, .. } = &simulation;
     let history = History { assembly, octets: &state.history };
     let of = |body: usize, role: Role| {
         let slots = model.bodies[body].elements.iter().filter_map(|&e| phase.element_slot[e as usize]);

@@ -19,7 +19,7 @@ use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
-use tremolite::{Line, Quadrature, Rayleigh, stable_step};
+use tremolite::{Line, Quadrature, Rayleigh};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::topology::vector_areas;
@@ -152,7 +152,7 @@ fn press(around: u32, turn: f64) -> Result<Pressed, VerifyError> {
     }
     let largest = 2.0 * PI / f64::from(around) * (1.0 + GRADING);
     let angle = turn * largest;
-    let dt = stable_step(model, &simulation.assembly, &simulation.phase).to_run(0.9);
+    let dt = simulation.bound().to_run(0.9);
     let mut engine = simulation.engine();
     let mut state = simulation.start(&mut engine, dt, |n| {
         let x = simulation.position(n);

@@ -180,10 +180,10 @@ fn through(
     let mut sums = [[0.0; 2]; 3];
     for _ in 0..steps {
         engine.step(&mut state);
-        let t = state.time() - 0.5 * dt;
-        let [u, v] = [low, high].map(|node| state.du[node].0[wave.axis] / dt);
+        let [(u, t), (v, above)] = [low, high].map(|node| simulation.velocity(&state, node));
+        let [u, v] = [u[wave.axis], v[wave.axis]];
         let incident = f(t + delay)[1];
-        let [g, h] = exact.velocities(t - delay);
+        let ([g, _], [_, h]) = (exact.velocities(t - delay), exact.velocities(above - delay));
         out.error = out.error.max((u - incident - g).abs()).max((v - h).abs());
         out.above = out.above.max(v.abs());
         // Below, all is coming before t₀ and going after it.

@@ -165,13 +165,14 @@ fn errors(simulation: &Simulation, damping: Damping, most: f64) -> Result<[f64; 
     let frequencies: Vec<f64> = (1..=COUNT).map(|k| SPACING * f64::from(k)).collect();
     let mut spectra = vec![[Complex64::default(); 2]; frequencies.len()];
     simulation.run_from_rest(dt, steps, |state| {
-        // The increment is Δt times the velocity at half a step before.
-        let moved = nodes.map(|node| state.du[node].0[0]);
-        let first = Complex64::from_polar(1.0, -TAU * SPACING * (state.time() - 0.5 * dt));
-        let mut turn = Complex64::from(1.0);
-        for sums in &mut spectra {
-            turn *= first;
-            sums.iter_mut().zip(moved).for_each(|(sum, du)| *sum += turn * du);
+        for (k, node) in nodes.into_iter().enumerate() {
+            let ([v, ..], time) = simulation.velocity(state, node);
+            let first = Complex64::from_polar(1.0, -TAU * SPACING * time);
+            let mut turn = Complex64::from(dt * v);
+            for sums in &mut spectra {
+                turn *= first;
+                sums[k] += turn;
+            }
         }
     })?;
     let mut worst = [0.0f64; 2];

@@ -64,7 +64,7 @@ fn energies(wished: fn([f64; 3]) -> u8, share: f64, steps: usize) -> Result<Vec<
     let rock = Solid { young: 10e9, poisson: 0.25, density: 2700.0 };
     let mut problem = rock.fill(distorted([4.0, 4.0, 8.0], [4, 4, 8], 0.14)?, Quadrature::OnePoint);
     problem.base = Base::Fixed;
-    let simulation = Simulation::new(problem)?.levelled(wished)?;
+    let simulation = Simulation::on_one_level(problem)?.levelled(wished)?;
     let model = &simulation.model;
     let shapes: Vec<_> = (0..model.mesh.elements.len())
         .map(|e| tremolite::hexahedra::hex(&model.mesh, e))

@@ -170,7 +170,7 @@ fn reflect(mesh: &mut Mesh) {
 /// Largest difference of displacements from those of the mirror image, over the peak.
 fn apart(plain: tremolite::Problem, mirrored: tremolite::Problem) -> Result<f64, VerifyError> {
     let [a, b] = [Simulation::new(plain)?, Simulation::new(mirrored)?];
-    let stable = |s: &Simulation| tremolite::stable_step(&s.model, &s.assembly, &s.phase).to_run(0.9);
+    let stable = |s: &Simulation| s.bound().to_run(0.9);
     let (steps, dt) = whole_steps(PULSE[2], stable(&a).min(stable(&b)));
     let rows = [shake(&a, dt, steps, 1.0)?, shake(&b, dt, steps, -1.0)?];
     let mut peak = 0.0_f64;

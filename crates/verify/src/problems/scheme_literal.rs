@@ -66,7 +66,7 @@ fn block(quadrature: Quadrature, damping: Damping) -> Result<Simulation, VerifyE
         problem.base = Base::Viscous;
         problem.sides = [Side::Viscous, Side::Free];
     }
-    Simulation::new(problem)
+    Simulation::on_one_level(problem)
 }
 
 /// Forces without symmetry.

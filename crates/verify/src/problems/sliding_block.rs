@@ -22,7 +22,7 @@ use crate::{Check, Effort, Verification, VerifyError};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
-use tremolite::{Quadrature, stable_step};
+use tremolite::{Quadrature};
 use tremolite_mesh::boxes::BoxSpec;
 
 const NAME: &str = "sliding_block";
@@ -134,7 +134,7 @@ fn slide(shaking: Shaking, friction: f64, shear: f64, end: f64, rest: f64) -> Re
 
     // The step divides a pulse, whose end it must meet.
     let trial = Simulation::new(problem.clone())?;
-    let most = stable_step(&trial.model, &trial.assembly, &trial.phase).to_run(0.9);
+    let most = trial.bound().to_run(0.9);
     let (_, dt) = whole_steps(if let Shaking::Pulse { until, .. } = shaking { until } else { end }, most);
     problem.loads = vec![
         Load { forces: along([0.0, 0.0, -GRAVITY]), factor: Arc::new(|_| 1.0) },
@@ -153,8 +153,8 @@ fn slide(shaking: Shaking, friction: f64, shear: f64, end: f64, rest: f64) -> Re
     let (mut sum, mut count, mut before, mut sign) = (0.0, 0.0, 0.0, 1.0);
     while state.time() < end - 0.5 * dt {
         engine.step(&mut state);
-        // The velocity half a step before.
-        let (x, v, t) = (-state.u[node].0[0], -state.du[node].0[0] / dt, state.time() - 0.5 * dt);
+        let (velocity, t) = simulation.velocity(&state, node);
+        let (x, v) = (-state.u[node].0[0], -velocity[0]);
         if motion.slip == 0.0 {
             let (seam, contacts) = (&simulation.model.seams[0], &simulation.assembly.contacts[0]);
             let force = |k: usize| {

@@ -109,7 +109,7 @@ fn press(quadrature: Quadrature, n: u32) -> Result<Pressed, VerifyError> {
         forces: footing.iter().map(|&n| (n, [0.0, 0.0, share])).collect(),
         factor: Arc::new(|_| 1.0),
     }];
-    let simulation = Simulation::new(problem)?;
+    let simulation = Simulation::on_one_level(problem)?;
     let dt = 0.9 * simulation.stable();
     let steps = (WAY / SPEED / dt) as u64;
     let mut engine = simulation.engine();

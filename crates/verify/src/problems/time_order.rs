@@ -29,7 +29,7 @@ fn block(rayleigh: Rayleigh) -> Result<Simulation, VerifyError> {
     let mut problem = ROCK.fill(distorted([1.0, 1.0, 3.0], [1, 1, 3], 0.12)?, Quadrature::Full);
     problem.base = Base::Fixed;
     problem.rayleigh = rayleigh;
-    Simulation::new(problem)
+    Simulation::on_one_level(problem)
 }
 
 /// A deflection \[m\] by unknown under forces without symmetry.
