@@ -97,6 +97,24 @@ def test_what_is_wrong_with_a_study_is_told_before_anything_runs(column, tmp_pat
     assert study.slurm(tmp_path / "slurm", tasks=2).read_text().count("--shard") == 1
 
 
+def test_the_name_of_a_record_is_no_path(column, tmp_path):
+    # Its samples went beside the study's folder, before the name was refused.
+    for name in ("../../x", "a/b"):
+        with pytest.raises(tr.Error):
+            tr.Study(tr.Case.from_dict(column), out=tmp_path / "in" / "out", record={name: pulse()}, **TABLES)
+    assert [path.name for path in tmp_path.iterdir()] == ["in"] and [path.name for path in (tmp_path / "in").iterdir()] == ["out"]
+    study = tr.Study(tr.Case.from_dict(column), out=tmp_path / "in" / "out", record={"a:b": pulse()}, **TABLES)
+    assert len(study.plan) == 4
+
+
+def test_intensities_of_a_curve_are_in_the_unit_of_the_levels():
+    fit = {"theta": 20.0, "beta": 0.4}
+    curve = tr.Curve({"measure": "m", "above": 1.0, "by": "PGV", "unit": "cm/s", "unit_value": 0.01, "fit": fit, "no_curve": ""})
+    assert curve.probability(0.2, units="SI") == pytest.approx(0.5, rel=1e-12) and curve.probability(20.0) == pytest.approx(0.5, rel=1e-12)
+    with pytest.raises(tr.Error, match="cm/s"):
+        curve.probability(20.0, units="cm/s")
+
+
 def test_a_failed_run_is_warned_of_and_stays_in_the_table(column, tmp_path):
     # Nothing rests within a cycle: the runs do not come to their earthquake.
     column = {**column, "initial": {"stress": {"zz": "-1 MPa"}, "release_cycles": 1, "max_cycles": 2}}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -107,7 +108,9 @@ class Study:
             parts = entry.geographic()
             here = {label: parts[label] for label in ("east", "north", "up")}
             made = Motion.from_components(parts["dt"], **here, name=name)
-            files = {label: self.out / "records" / f"{name}-{label}.txt" for label in here}
+            # Names are checked with all else later: here one may still be a path.
+            word = re.sub(r"[^\w-]", lambda odd: f"%{ord(odd[0]):x}", name)
+            files = {label: self.out / "records" / f"{word}-{label}.txt" for label in here}
             files["east"].parent.mkdir(parents=True, exist_ok=True)
             write_record(made, list(files.values()))
             return {label: {"file": f"records/{file.name}"} for label, file in files.items()}
