@@ -97,14 +97,25 @@ def test_what_is_wrong_with_a_study_is_told_before_anything_runs(column, tmp_pat
     assert study.slurm(tmp_path / "slurm", tasks=2).read_text().count("--shard") == 1
 
 
+def test_a_mesh_of_a_script_is_as_one_of_the_case(column, tmp_path):
+    one = {"vary": {}, "sample": None, "scale": {"measure": "PGV", "levels": ["0.1 m/s"]}, "fragility": None}
+    plain = made(column, tmp_path / "plain", **one).run(threads=1)
+    mesh = tr.Case.from_dict(column).mesh()
+    case = tr.Case.from_dict({**column, "mesh": {"file": {"path": "memory"}}})
+    study = made({**column, "mesh": {"file": {"path": "memory"}}}, tmp_path / "memory", mesh=mesh, **one)
+    files = [result.run(result.table[0]["run"]).path / "monitors.csv" for result in (plain, study.run(threads=1))]
+    assert files[0].read_bytes() == files[1].read_bytes()
+    with pytest.raises(tr.Error, match="mesh is a Mesh"):
+        tr.Study(case, out=tmp_path / "c", mesh="box.vtu")
+
+
 def test_the_name_of_a_record_is_no_path(column, tmp_path):
     # Its samples went beside the study's folder, before the name was refused.
-    for name in ("../../x", "a/b"):
-        with pytest.raises(tr.Error):
-            tr.Study(tr.Case.from_dict(column), out=tmp_path / "in" / "out", record={name: pulse()}, **TABLES)
+    out = tmp_path / "in" / "out"
+    with pytest.raises(tr.Error, match="cannot be used as a name"):
+        tr.Study(tr.Case.from_dict(column), out=out, record={"../../x": pulse()}, **TABLES)
+    assert len(tr.Study(tr.Case.from_dict(column), out=out, record={"a/b": pulse()}, **TABLES).plan) == 4
     assert [path.name for path in tmp_path.iterdir()] == ["in"] and [path.name for path in (tmp_path / "in").iterdir()] == ["out"]
-    study = tr.Study(tr.Case.from_dict(column), out=tmp_path / "in" / "out", record={"a:b": pulse()}, **TABLES)
-    assert len(study.plan) == 4
 
 
 def test_intensities_of_a_curve_are_in_the_unit_of_the_levels():
