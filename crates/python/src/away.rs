@@ -152,14 +152,20 @@ fn attend(py: Python<'_>, mut requests: Receiver<Request>, stop: &AtomicBool) ->
             (requests, got)
         });
         requests = back;
-        match got {
-            Ok(request) => request(py),
-            Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => return interrupt,
-        }
+        let over = match got {
+            Ok(request) => {
+                request(py);
+                false
+            }
+            Err(why) => why == RecvTimeoutError::Disconnected,
+        };
+        // Of short work too, since whoever asked for it knows better what to do with it than the next line of the script.
         if let Err(raised) = py.check_signals() {
             stop.store(true, Ordering::Relaxed);
             interrupt.get_or_insert(raised);
+        }
+        if over {
+            return interrupt;
         }
     }
 }

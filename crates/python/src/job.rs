@@ -270,7 +270,12 @@ impl Job {
         observers: Vec<Py<PyAny>>,
     ) -> PyResult<Simulation> {
         let wish = Wish { out, resume, overwrite, from: from_, threads, callback, every, observers };
-        Simulation::begin(py, &self.made(), wish)
+        let simulation = Simulation::begin(py, &self.made(), wish)?;
+        if simulation.is_to_stop() {
+            // Nobody holds it yet who could finish it. This raises what stopped it.
+            simulation.finish(py)?;
+        }
+        Ok(simulation)
     }
 
     fn __repr__(&self) -> String {

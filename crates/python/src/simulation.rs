@@ -103,6 +103,11 @@ impl Simulation {
         self.ended(py, back)
     }
 
+    /// Whether Ctrl-C or a script has stopped it.
+    pub fn is_to_stop(&self) -> bool {
+        self.asker.stop.load(Ordering::Relaxed)
+    }
+
     fn made(&self) -> PyResult<MutexGuard<'_, Made>> {
         // It is held for moments alone, and nothing panics then.
         self.made.lock().map_err(failed)
@@ -244,7 +249,7 @@ impl Simulation {
 
     /// Ends it where it stands, with a checkpoint if it is not at its end: writes the summary and the page, and returns a `Result`. Where a file
     /// cannot be written, `RunError` says so, and it may be called again.
-    fn finish<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    pub fn finish<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut held = self.held()?;
         let moving = held.as_mut().ok_or_else(over)?;
         let job = &self.job()?;

@@ -116,6 +116,17 @@ def test_a_stream_runs_as_its_record_does(column, tmp_path):
     assert result.status == "done" and np.abs(result.monitors["top"].uz).max() > 0
 
 
+def test_headers_that_round_one_rate_differently_are_one_record():
+    # As SAC does, with 32 bits. "Sampled at 0.01 s, 0.01 s" was refused.
+    there = stream()
+    there[1].stats.delta = float(np.float32(0.01))
+    motion = tr.Motion.from_stream(there, units="m/s2")
+    assert motion.geographic()["dt"] == 0.01 and [a.stats.delta for a in motion.to_stream()] == [a.stats.delta for a in there]
+    there[1].stats.delta = 0.01 * (1.0 + 1e-5)
+    with pytest.raises(tr.Error, match="0.01 s, 0.0100001 s"):
+        tr.Motion.from_stream(there, units="m/s2")
+
+
 def test_streams_that_are_no_record_are_refused_with_the_way_out():
     obspy = pytest.importorskip("obspy")
     good = stream()

@@ -1,7 +1,10 @@
 """Runs: the same bits as the command line's, Ctrl-C, exceptions, callbacks, memory."""
 
+import ctypes
+import functools
 import gc
 import multiprocessing
+import operator
 import os
 import signal
 import subprocess
@@ -93,6 +96,47 @@ def test_ctrl_c_leaves_a_checkpoint_and_a_summary(job, tmp_path):
     assert isinstance(caught.value, KeyboardInterrupt) and caught.value.out == tmp_path / "a"
     assert tr.Result(tmp_path / "a").status == "stopped"
     assert same_files(whole.path, job.run(tmp_path / "a", resume=True).path, EQUAL[:3]) == []
+
+
+def pressing():
+    """An observer that presses Ctrl-C as the run is prepared, by C alone: Python, os.kill too, would hear it at once."""
+
+    class Pressing(tr.Observer):
+        every = property(operator.methodcaller("press"))
+
+        def __init__(self):
+            kill = ctypes.CDLL(None).kill
+            kill.restype = None
+            self.press = functools.partial(kill, os.getpid(), int(signal.SIGINT))
+
+    return Pressing()
+
+
+def test_ctrl_c_as_a_run_is_prepared_is_not_lost_and_leaves_a_checkpoint(job, tmp_path):
+    # It was: the run ended as one that a callback had stopped, and the script went on with its next line.
+    whole = job.run(tmp_path / "whole")
+    with pytest.raises(tr.Stopped) as caught:
+        job.run(tmp_path / "a", observers=[pressing()])
+    assert caught.value.out == tmp_path / "a"
+    with pytest.raises(tr.Stopped):
+        job.start(tmp_path / "b", observers=[pressing()])
+    for name in ("a", "b"):
+        assert tr.Result(tmp_path / name).status == "stopped"
+        assert same_files(whole.path, job.run(tmp_path / name, resume=True).path, EQUAL[:3]) == []
+
+
+def test_what_an_observer_raises_as_it_begins_leaves_a_folder_to_go_on_with(job, tmp_path):
+    class Falling(tr.Observer):
+        def begin(self, at):
+            raise ValueError("not yet")
+
+    whole = job.run(tmp_path / "whole")
+    with pytest.raises(ValueError, match="not yet"):
+        job.run(tmp_path / "a", observers=[Falling()])
+    with pytest.raises(ValueError, match="not yet"), job.start(tmp_path / "b", observers=[Falling()]) as simulation:
+        simulation.step(1)
+    for name in ("a", "b"):
+        assert same_files(whole.path, job.run(tmp_path / name, resume=True).path, EQUAL[:3]) == []
 
 
 def test_ctrl_c_from_outside_stops_a_long_run_soon(column, tmp_path):

@@ -5,6 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import tremolite as tr
+
 
 def tunnel(meshio):
     """A block of 28 m by 2 m by 28 m with a square tunnel: an opening of 4 m in a lining 1 m thick, as Gmsh would name it."""
@@ -55,3 +57,16 @@ def test_the_way_of_the_documentation_leads_to_a_lined_and_shaken_tunnel(tmp_pat
     assert [row["name"] for row in result.rows("stages")] == ["initial equilibrium", "excavation", "lining"]
     assert np.abs(result.monitors["crown"].ux).max() > 1e-4
     assert (tmp_path / "crown.png").stat().st_size > 5000 and (tmp_path / "results/tunnel/report.html").exists()
+
+
+@pytest.mark.skipif(not PAGE.exists(), reason="the documentation is not beside the tests")
+def test_the_callback_of_the_documentation_goes_on_while_the_lining_stands(cavern, tmp_path, monkeypatch):
+    # Before its stage there is no lining: of its damage a share is no number, and that stopped the run.
+    monkeypatch.chdir(tmp_path)
+    concrete = {"law": "concrete-damage", "tensile_strength": "1.2 MPa", "fracture_energy": "130 N/m", "cohesion": "2 MPa"}
+    changes = {f"material.concrete.{key}": value for key, value in {**concrete, "friction_angle": "46 deg"}.items()}
+    job = tr.Job(tr.Case(cavern).with_({**changes, "dynamic.duration": "0.1 s"}))
+    code = PAGE.read_text(encoding="utf-8").split("```python\ndef watch(now):  ")[1].split("```")[0]
+    there = {"job": job, "np": np}
+    exec(compile("def watch(now):  " + code, str(PAGE), "exec"), there)  # noqa: S102
+    assert there["result"].status == "done"

@@ -97,6 +97,35 @@ def test_what_is_wrong_with_a_study_is_told_before_anything_runs(column, tmp_pat
     assert study.slurm(tmp_path / "slurm", tasks=2).read_text().count("--shard") == 1
 
 
+def test_a_mesh_of_a_script_is_as_one_of_the_case(column, tmp_path):
+    one = {"vary": {}, "sample": None, "scale": {"measure": "PGV", "levels": ["0.1 m/s"]}, "fragility": None}
+    plain = made(column, tmp_path / "plain", **one).run(threads=1)
+    mesh = tr.Case.from_dict(column).mesh()
+    case = tr.Case.from_dict({**column, "mesh": {"file": {"path": "memory"}}})
+    study = made({**column, "mesh": {"file": {"path": "memory"}}}, tmp_path / "memory", mesh=mesh, **one)
+    files = [result.run(result.table[0]["run"]).path / "monitors.csv" for result in (plain, study.run(threads=1))]
+    assert files[0].read_bytes() == files[1].read_bytes()
+    with pytest.raises(tr.Error, match="mesh is a Mesh"):
+        tr.Study(case, out=tmp_path / "c", mesh="box.vtu")
+
+
+def test_the_name_of_a_record_is_no_path(column, tmp_path):
+    # Its samples went beside the study's folder, before the name was refused.
+    out = tmp_path / "in" / "out"
+    with pytest.raises(tr.Error, match="cannot be used as a name"):
+        tr.Study(tr.Case.from_dict(column), out=out, record={"../../x": pulse()}, **TABLES)
+    assert len(tr.Study(tr.Case.from_dict(column), out=out, record={"a/b": pulse()}, **TABLES).plan) == 4
+    assert [path.name for path in tmp_path.iterdir()] == ["in"] and [path.name for path in (tmp_path / "in").iterdir()] == ["out"]
+
+
+def test_intensities_of_a_curve_are_in_the_unit_of_the_levels():
+    fit = {"theta": 20.0, "beta": 0.4}
+    curve = tr.Curve({"measure": "m", "above": 1.0, "by": "PGV", "unit": "cm/s", "unit_value": 0.01, "fit": fit, "no_curve": ""})
+    assert curve.probability(0.2, units="SI") == pytest.approx(0.5, rel=1e-12) and curve.probability(20.0) == pytest.approx(0.5, rel=1e-12)
+    with pytest.raises(tr.Error, match="cm/s"):
+        curve.probability(20.0, units="cm/s")
+
+
 def test_a_failed_run_is_warned_of_and_stays_in_the_table(column, tmp_path):
     # Nothing rests within a cycle: the runs do not come to their earthquake.
     column = {**column, "initial": {"stress": {"zz": "-1 MPa"}, "release_cycles": 1, "max_cycles": 2}}

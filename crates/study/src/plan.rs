@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use tremolite_case::Diagnostic;
 use tremolite_case::study::{Design, Levels, Quantity, StudyFile, rounded};
 use tremolite_case::{Spanned, units};
+use tremolite_laws::parameter::Dimension;
 
 use crate::intensity::{FORMS, Measure};
 
@@ -157,6 +158,18 @@ impl Plan {
     /// The runs of a share of K of N, in their order: chains are dealt out one by one, so that a chain stays together.
     pub fn shard(&self, k: usize, of: usize) -> Vec<usize> {
         (0..self.runs.len()).filter(|run| self.runs[*run].chain % of == k).collect()
+    }
+
+    /// The unit that a measure of intensity is told in, and its SI value: the one in which the levels are written, where it fits.
+    pub fn told_in(&self, measure: &Measure) -> (String, f64) {
+        let of_levels = || {
+            let dimension = self.scaled_by.map(|by| by.dimension()).filter(|d| *d == measure.dimension())?;
+            let unit = Quantity::parse(&self.levels.first()?.text)?.unit;
+            let value = units::parse(&format!("1 {unit}"), dimension).ok()?;
+            (!unit.is_empty() && dimension != Dimension::NONE).then_some((unit, value))
+        };
+        let (usual, value) = measure.unit();
+        of_levels().unwrap_or((usual.to_owned(), value))
     }
 
     /// The number of chains.

@@ -75,7 +75,7 @@ pub fn gather(study: &StudyFile, plan: &Plan, prepared: &[Prepared], out: &Path)
         file: study.path.file_name().map(|f| f.to_string_lossy().into_owned()).unwrap_or_default(),
         case: study.case.value.to_string_lossy().into_owned(),
         parameters: plan.parameters.iter().map(|p| plain(&p.path, p.unit.clone())).collect(),
-        intensities: plan.intensities.iter().map(intensity_column).collect(),
+        intensities: plan.intensities.iter().map(|m| intensity_column(plan, m)).collect(),
         measures: study.measures.iter().zip(units).map(|(m, unit)| plain(&m.name.value, unit)).collect(),
         rises: plan.rises,
         runs,
@@ -88,18 +88,13 @@ pub fn gather(study: &StudyFile, plan: &Plan, prepared: &[Prepared], out: &Path)
     (found, missing)
 }
 
-fn intensity_column(measure: &crate::intensity::Measure) -> StudyColumn {
-    let (shown, shown_factor) = measure.unit();
-    let si = match shown {
+fn intensity_column(plan: &Plan, measure: &crate::intensity::Measure) -> StudyColumn {
+    let (shown, shown_factor) = plan.told_in(measure);
+    let si = match measure.unit().0 {
         "g" => "m/s2",
         other => other,
     };
-    StudyColumn {
-        name: measure.to_string(),
-        unit: Some(si.to_owned()),
-        shown: shown.to_owned(),
-        shown_factor,
-    }
+    StudyColumn { name: measure.to_string(), unit: Some(si.to_owned()), shown, shown_factor }
 }
 
 fn row(
@@ -254,7 +249,7 @@ pub fn plan_csv(study: &StudyFile, plan: &Plan, prepared: &[Prepared]) -> String
     };
     let whole = csv(&Study {
         parameters: plan.parameters.iter().map(plain).collect(),
-        intensities: plan.intensities.iter().map(intensity_column).collect(),
+        intensities: plan.intensities.iter().map(|m| intensity_column(plan, m)).collect(),
         runs: rows,
         ..Study::default()
     });

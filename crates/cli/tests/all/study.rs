@@ -250,18 +250,23 @@ fn rising_levels_stop_where_the_limit_is() {
 #[test]
 fn array_tasks_of_slurm_take_the_commands_of_shares() {
     let folder = folder(STUDY);
-    let done = study(folder.path(), &["--out", "out", "--slurm", "slurm", "--tasks", "3", "--at-once", "2"]);
+    let place = "100% array";
+    let done = study(folder.path(), &["--out", "out", "--slurm", place, "--tasks", "3", "--at-once", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
-    let script = String::from_utf8(bytes(folder.path(), "slurm/study.sbatch")).unwrap();
+    let script = String::from_utf8(bytes(folder.path(), &format!("{place}/study.sbatch"))).unwrap();
     for line in [
         "#SBATCH --array=1-3",
         "#SBATCH --cpus-per-task=2",
+        "/100%% array/%a.log\"",
         "--shard \"$SLURM_ARRAY_TASK_ID/3\" --at-once 2 --threads 1",
     ] {
         assert!(script.contains(line), "{script}");
     }
     assert!(said(&done).contains("--gather") && !folder.path().join("out").exists(), "{}", said(&done));
-    let checked = Command::new("bash").args(["-n", "slurm/study.sbatch"]).current_dir(folder.path()).status();
+    let checked = Command::new("bash")
+        .args(["-n", &format!("{place}/study.sbatch")])
+        .current_dir(folder.path())
+        .status();
     assert!(checked.is_ok_and(|status| status.success()));
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -12,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from ._mesh import Mesh
 from ._motion import Motion
 from ._study_result import StudyResult, StudyTable
 from ._toml import document
@@ -37,11 +39,12 @@ class Study:
         )
 
     out: the folder of all that comes out, `results/<file's name>` by default, or `results/study`.
+    mesh: a `Mesh` for a case that has [mesh.file], in place of that file.
 
     All of it is checked here, and so is the case of every run: `CaseError` tells everything that is wrong. A study of a dict or
-    keywords is written as `study.toml` into its folder, with a case (`case.toml`) and records (`records/`) that are in memory alone; the
-    command and other machines then take the same file. It is that file that runs, so plan and tables have the bytes of the command's.
-    Paths start from the folder that the script runs in.
+    keywords is written as `study.toml` into its folder, with a case (`case.toml`), a mesh (`mesh.vtu`) and records (`records/`) that are
+    in memory alone; the command and other machines then take the same file. It is that file that runs, so plan and tables have the bytes
+    of the command's. Paths start from the folder that the script runs in.
 
     It can be sent to other processes (`pickle`): `executor.map(lambda k: study.run(shard=(k, 8)), range(1, 9))`, then `study.gather()`.
     """
@@ -73,7 +76,8 @@ class Study:
         if "case" not in given:
             raise Error("a study has a case: a Case, a dict or the path of one under the key `case`")
         case = given["case"]
-        made = {"title": "a study", **given, "case": self._case(case)}
+        made = {"title": "a study", **given, "case": self._case(case, given.get("mesh"))}
+        made.pop("mesh", None)
         for name in _LISTS:
             if name in made:
                 made[name] = [self._named(name, *entry) for entry in _entries(made[name])]
@@ -84,9 +88,16 @@ class Study:
             made["scale"] = {**scale, "target": _absolute(scale["target"])}
         return made
 
-    def _case(self, case: Any) -> str:
+    def _case(self, case: Any, mesh: Any) -> str:
         if isinstance(case, Mapping):
             case = Case.from_dict(case)
+        if mesh is not None:
+            if not isinstance(mesh, Mesh):
+                raise Error("mesh is a Mesh; the path of a file stands in the case: [mesh.file] path")
+            file = self.out / "mesh.vtu"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            mesh.write(file)
+            case = (case if isinstance(case, Case) else Case(case)).with_({"mesh.file.path": str(file)})
         if not isinstance(case, Case):
             return _absolute(case)
         if case.path.is_file() and case.path.read_text(encoding="utf-8") == case.text:
@@ -107,7 +118,9 @@ class Study:
             parts = entry.geographic()
             here = {label: parts[label] for label in ("east", "north", "up")}
             made = Motion.from_components(parts["dt"], **here, name=name)
-            files = {label: self.out / "records" / f"{name}-{label}.txt" for label in here}
+            # Names are checked with all else later: here one may still be a path.
+            word = re.sub(r"[^\w-]", lambda odd: f"%{ord(odd[0]):x}", name)
+            files = {label: self.out / "records" / f"{word}-{label}.txt" for label in here}
             files["east"].parent.mkdir(parents=True, exist_ok=True)
             write_record(made, list(files.values()))
             return {label: {"file": f"records/{file.name}"} for label, file in files.items()}

@@ -58,14 +58,18 @@ class StudyTable(Sequence[dict[str, Any]]):
 
 
 class Curve(Record):
-    """A fragility curve: `fit.theta`, `fit.beta`, `fit.covariance`, `bounds`, `shares`, `unit` of the intensity; all of study.json."""
+    """A fragility curve: `fit.theta`, `fit.beta`, `fit.covariance`, `bounds`, `shares`; all of study.json. Intensities, theta
+    among them, are in `unit`, that of the levels; times `unit_value` they are in SI."""
 
-    def probability(self, intensity: Any) -> Any:
-        """The probability at intensities in `unit`, a number or an array. Raises `Error` where there is no curve, and says why."""
+    def probability(self, intensity: Any, *, units: str | None = None) -> Any:
+        """The probability at intensities, a number or an array in `unit`, as theta is; in SI with `units="SI"`, as the table's columns are.
+        Raises `Error` where there is no curve, and says why."""
+        if units not in (None, "SI"):
+            raise Error(f"units is \"SI\", or left out for intensities in {self['unit']}")
         if self["fit"] is None:
             raise Error(f"{self['measure']} above {self['above']:g} has no curve: {self['no_curve']}")
         theta, beta = self["fit"]["theta"], self["fit"]["beta"]
-        at = np.asarray(intensity, dtype=float)
+        at = np.asarray(intensity, dtype=float) / (1.0 if units is None else self["unit_value"])
         normal = np.vectorize(lambda x: 0.5 * math.erfc(-math.log(x / theta) / beta / math.sqrt(2.0)) if x > 0.0 else 0.0, otypes=[float])
         found = normal(at)
         return found if at.ndim else float(found)

@@ -27,7 +27,7 @@ pub struct Wish {
 }
 
 impl Simulation {
-    /// Prepares the folder and the simulation.
+    /// Prepares the folder and the simulation. What a signal raised meanwhile lies on the desk, and `stop` is set.
     pub fn begin(py: Python<'_>, made: &Made, wish: Wish) -> PyResult<Self> {
         let job = &made.job;
         let Wish { out, resume, overwrite, from, threads, callback, every, observers } = wish;
@@ -81,10 +81,11 @@ impl Simulation {
         let own = watches.iter().flat_map(Watch::observers).collect();
         let Asker { desk, stop } = &asker;
         let back = away(py, &pool, desk, stop, || begun.simulation(job, own))?;
-        if let Some(raised) = desk.raised() {
-            return Err(raised);
+        // It stops the run before its first step: with a checkpoint, so that the folder can be gone on with.
+        if let Some(interrupt) = back.interrupt {
+            desk.raise(interrupt);
         }
-        let simulation = back.result.map_err(|why| refused(&why))?;
+        let simulation = back.result.map_err(|why| desk.raised().unwrap_or_else(|| refused(&why)))?;
         let held = Held { simulation, begun, caller, stage_seconds: 0.0, ending: None, outcome: None };
         let out = folder.root().to_owned();
         Ok(Simulation {

@@ -120,6 +120,9 @@ impl Simulation {
         let anew = Simulation::begin(py, &made, wish)?;
         *self.held()? = anew.held()?.take();
         *self.made()? = made;
+        if let Some(interrupt) = anew.asker.desk.raised() {
+            return Err(interrupt);
+        }
         for _ in 0..done {
             self.relax(py)?;
         }

@@ -6,11 +6,12 @@ use super::Figure;
 use super::fragility::over;
 use super::paper::{draw, file_part, suiting};
 use crate::drawing::plot::{Pen, PlotCurve, range};
+use crate::drawing::svg::LINES;
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 
-/// Lines that are named; of more a legend would hide the figure.
-const NAMED: usize = 8;
+/// Lines that are named: so many as have a colour of their own.
+const NAMED: usize = LINES.len();
 
 /// One figure a measure, where runs have levels.
 pub fn figures(study: &Study, language: Language) -> Vec<Figure> {

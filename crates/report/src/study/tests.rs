@@ -119,6 +119,21 @@ fn the_page_says_what_is_counted_and_what_is_not() {
     assert_eq!(fs::read(&page).unwrap(), again);
 }
 
+/// The eighth was named in the colour of the first.
+#[test]
+fn lines_over_intensity_are_named_while_each_has_a_colour_of_its_own() {
+    let names = |records: usize| {
+        let mut study = sample();
+        let run = study.runs[0].clone();
+        study.runs = (0..records)
+            .map(|k| StudyRun { record: Some(format!("record{k}")), sample: 0, ..run.clone() })
+            .collect();
+        let svg = rising::figures(&study, Language::En).remove(0).svg;
+        svg.matches(">record").count()
+    };
+    assert_eq!((names(7), names(8)), (7, 0));
+}
+
 #[test]
 fn a_study_of_which_nothing_ran_has_a_page() {
     let out = tempfile::tempdir().unwrap();

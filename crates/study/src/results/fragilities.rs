@@ -74,14 +74,14 @@ fn one(
     let measure =
         study.measures.iter().position(|m| m.name.value == fragility.measure.value).unwrap_or_default();
     let column = plan.intensities.iter().position(|m| *m == by).unwrap_or_default();
-    let (unit, unit_value) = by.unit();
+    let (unit, unit_value) = plan.told_in(&by);
     let asked = Asked { fragility, measure, above, by: column, unit_value };
     let seed = study.sample.as_ref().map_or(1, |s| s.seed);
     let mut out = StudyFragility {
         measure: fragility.measure.value.clone(),
         above,
         by: by.to_string(),
-        unit: unit.to_owned(),
+        unit,
         unit_value,
         ..StudyFragility::default()
     };

@@ -138,6 +138,29 @@ fn rising_levels_end_where_the_limit_is_and_are_interpolated() {
     assert!(fragility.shares.iter().all(|s| s.probability.is_none()));
 }
 
+/// A median in g beside levels in cm/s² would be read as one of these.
+#[test]
+fn intensities_are_told_in_the_unit_of_the_levels() {
+    let result = |record: usize, level: usize| Ok(if level > record { 1.0 } else { 0.0 });
+    let (in_g, _) = with(STUDY, result);
+    let text = STUDY.replace(
+        "\"0.1 g\", \"0.2 g\", \"0.3 g\", \"0.4 g\"",
+        "\"98.0665 cm/s2\", \"196.133 cm/s2\", \"294.1995 cm/s2\", \"392.266 cm/s2\"",
+    );
+    let (in_cm, _) = with(&text, result);
+    let told = |found: &Study| {
+        let (curve, column) = (&found.fragilities[0], &found.intensities[0]);
+        assert_eq!((&curve.unit, column.unit.as_deref()), (&column.shown, Some("m/s2")));
+        assert_eq!(curve.unit_value, column.shown_factor);
+        (curve.unit.clone(), curve.fit.as_ref().unwrap().theta, curve.unit_value)
+    };
+    let ((unit, theta, value), (of_cm, theta_cm, value_cm)) = (told(&in_g), told(&in_cm));
+    assert_eq!((unit.as_str(), of_cm.as_str(), value_cm), ("g", "cm/s2", 0.01));
+    assert!((theta_cm * value_cm / (theta * value) - 1.0).abs() < 1e-9, "{theta} {theta_cm}");
+    // Of what is no acceleration the levels say nothing.
+    assert_eq!(in_cm.intensities[1].shown, "m/s");
+}
+
 #[test]
 fn series_that_were_not_run_so_high_count_up_to_where_they_were() {
     let text = STUDY

@@ -15,6 +15,18 @@ fn short(x: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
+/// Least and largest coordinates \[m\] along each axis of the nodes of some elements.
+fn span(mesh: &Mesh, elements: &[u32]) -> [[f64; 2]; 3] {
+    let mut span = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+    let nodes = elements.iter().flat_map(|e| mesh.elements[*e as usize].nodes);
+    for point in nodes.map(|n| mesh.nodes[n as usize]) {
+        for (ends, x) in span.iter_mut().zip(point) {
+            *ends = [ends[0].min(x), ends[1].max(x)];
+        }
+    }
+    span
+}
+
 /// A point that the mesh has a name for.
 pub fn named(
     mesh: &Mesh,
@@ -80,16 +92,24 @@ pub fn build(case: &Case, mesh: &Mesh, bodies: &[Body], problems: &mut Vec<Diagn
                 monitors.push(Monitor { name: monitor.name.value.clone(), point, location });
             }
             None => {
-                let (low, high) = mesh.bounds();
-                let [x, y, z] = [0, 1, 2].map(|i| format!("{} to {}", short(low[i]), short(high[i])));
-                problems.push(Diagnostic::at(
-                    &monitor.at,
-                    format!(
-                        "monitor {} at ({:.3}, {:.3}, {:.3}) m lies in no element of its body",
-                        monitor.name.value, point[0], point[1], point[2]
-                    ),
-                    format!("the mesh spans x {x}, y {y}, z {z} m; excavated elements do not count"),
-                ));
+                let of_groups = locators[at].0.iter().flat_map(|g| &mesh.groups[*g]);
+                let (what, own): (_, Vec<u32>) = match monitor.body {
+                    Some(_) => {
+                        ("its body", of_groups.filter(|e| solid.binary_search(e).is_ok()).copied().collect())
+                    }
+                    None => ("the mesh", solid.clone()),
+                };
+                let [x, y, z] =
+                    span(mesh, &own).map(|[low, high]| format!("{} to {}", short(low), short(high)));
+                let remedy = match own.is_empty() {
+                    true => format!("nothing of {what} is there when the ground shakes"),
+                    false => format!("{what} spans x {x}, y {y}, z {z} m; excavated elements do not count"),
+                };
+                let [px, py, pz] = point;
+                let name = &monitor.name.value;
+                let message =
+                    format!("monitor {name} at ({px:.3}, {py:.3}, {pz:.3}) m lies in no element of its body");
+                problems.push(Diagnostic::at(&monitor.at, message, remedy));
             }
         }
     }

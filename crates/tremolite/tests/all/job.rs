@@ -316,6 +316,29 @@ fn a_run_in_two_halves_is_one() {
     assert!(matches!(still.check_start(Start::From(&whole)), Err(RunError::RestAlone)));
 }
 
+/// Where the mesh ends says little of where a lining does.
+#[test]
+fn a_monitor_beside_its_body_is_told_where_that_is() {
+    let folder = tempfile::tempdir().unwrap();
+    files(folder.path());
+    for (stage, says) in [
+        (
+            "{ name = \"bench\", excavate = [\"core\"] }",
+            "nothing of its body is there when the ground shakes",
+        ),
+        ("{ name = \"bench\" }", "its body spans x 6 to 10, y 0 to 4, z 6 to 10 m"),
+    ] {
+        let text = CASE.replace(
+            "at = [\"8 m\", \"2 m\", \"10.5 m\"]",
+            "at = [\"8 m\", \"2 m\", \"10.5 m\"]\nbody = \"core\"",
+        );
+        let changes = change("stage", &format!("[{stage}]"));
+        let fault = Job::of_text(&text, folder.path(), &Given { changes, ..Given::default() }).err();
+        let fault = fault.expect("it must be refused").to_string();
+        assert!(fault.contains("lies in no element of its body") && fault.contains(says), "{fault}");
+    }
+}
+
 #[test]
 fn what_is_in_memory_and_cannot_be_used_is_refused_where_the_case_names_it() {
     let empty = tempfile::tempdir().unwrap();

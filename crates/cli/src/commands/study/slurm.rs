@@ -28,7 +28,7 @@ pub fn write(folder: &Path, args: &Args, out: &Path, study: &StudyFile, plan: &P
          #SBATCH --job-name={}\n\
          #SBATCH --array=1-{tasks}\n\
          #SBATCH --cpus-per-task={}\n\
-         #SBATCH --output={}/%a.log\n\
+         #SBATCH --output=\"{}/%a.log\"\n\
          # Time to write checkpoints before the limit; set the limit, the memory and the partition by your cluster.\n\
          #SBATCH --signal=B:TERM@120\n\
          #SBATCH --time=24:00:00\n\
@@ -37,7 +37,8 @@ pub fn write(folder: &Path, args: &Args, out: &Path, study: &StudyFile, plan: &P
         at_once,
         tremolite_study::plan::slug(&name),
         at_once * threads,
-        whole(folder).display(),
+        // A space would end the option, and Slurm puts numbers of its own in place of what stands behind %.
+        whole(folder).to_string_lossy().replace('\\', "\\\\").replace('"', "\\\"").replace('%', "%%"),
     );
     let failed = |e: std::io::Error| Failure::failed(format!("{}: {e}", folder.display()));
     std::fs::create_dir_all(folder).map_err(failed)?;
