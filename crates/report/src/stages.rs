@@ -33,7 +33,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     let detail = |block| Block { folded: true, ..block };
     blocks.extend(relaxation::block(source, &facts).map(detail));
     blocks.extend(convergence::block(source, &facts));
-    blocks.extend(ground_reaction::block(source, &facts));
+    blocks.extend(ground_reaction::block(source, &facts).map(detail));
     blocks.extend(monitors(source, &facts).map(detail));
     // Of a run that only excavates the maps are the result.
     let shakes = source.shakes();

@@ -117,6 +117,10 @@ test("each of the two sheets fits a page of paper", async () => {
           }),
         );
         assert.equal(sheets.length, 2);
+        // What is wider than the paper would shrink all pages.
+        await unfold(page);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.ok(wide <= Math.ceil(width), `${folder}: ${wide} px wide`);
         assert.ok(sheets.every((tall) => tall <= height), `${folder}: ${sheets} px of ${height}`);
       },
       options,

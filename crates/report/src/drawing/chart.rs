@@ -203,7 +203,12 @@ impl Chart<'_> {
         let axes = Axes { left: LEFT, right: width - RIGHT, top, bottom, across: across.clone(), up };
         axes.draw(svg);
         svg.text((LEFT, top - 8.0), Anchor::Start, 13.0, Style::Bold, &panel.scale.labelled(&panel.title));
-        svg.text((width - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &self.remark(panel, language));
+        // Beside the title where there is room for both.
+        let remark = self.remark(panel, language);
+        let title = text_width(&panel.scale.labelled(&panel.title), 13.0);
+        if 1.1 * title + text_width(&remark, 12.0) < width - LEFT - RIGHT {
+            svg.text((width - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &remark);
+        }
         for line in &panel.lines {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
             let points = self.time.iter().zip(line.values.iter());

@@ -61,13 +61,14 @@ fn paragraph(block: &Block) -> Paragraph {
 
 /// Sections of detail, folded away on a screen and left out on paper until one opens them: what repeats others in other words, what
 /// only specialists read, and what was left to defaults.
-const FOLDED: [&str; 15] = [
+const FOLDED: [&str; 16] = [
     "displacement-less-mean",
     "stress-elastic",
     "damage-map-2",
     "interface-history",
     "interface-monitors",
     "depth",
+    "spectra",
     "velocity",
     "acceleration",
     "further",
