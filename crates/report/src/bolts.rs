@@ -38,7 +38,10 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     }
     let mut blocks = vec![first];
     match &source.bolts {
-        Some(Ok(rows)) => blocks.extend(by_stage(source, rows, &facts)),
+        Some(Ok(rows)) => {
+            let detail = |block| Block { folded: source.shakes(), ..block };
+            blocks.extend(by_stage(source, rows, &facts).into_iter().map(detail));
+        }
         Some(Err(why)) => blocks.push(left_out(language, why)),
         None => {
             blocks.push(left_out(language, &say!(language, "There is no bolts.csv in the result folder.")));
@@ -47,7 +50,8 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     match last(source) {
         Ok(Last { lines, when, shaken }) => {
             blocks.extend(map::block(source, &lines, &when));
-            blocks.extend(force::block(source, &lines, &facts, (&when, shaken)));
+            let along = force::block(source, &lines, &facts, (&when, shaken));
+            blocks.extend(along.into_iter().map(|block| Block { folded: true, ..block }));
         }
         Err(why) => blocks.push(left_out(language, &why)),
     }

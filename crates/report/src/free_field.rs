@@ -87,6 +87,7 @@ pub fn section(source: &Source) -> Option<Section> {
         svg: chart.draw(source.language),
         caption: caption.trim().into(),
         curves: Some(Curves::of_chart(&chart, source.language)),
+        narrow: None,
     };
     let block = Block {
         lead: verdict(source, found, &wave, &drawn, (first, &scale)),

@@ -90,6 +90,7 @@ pub fn section(source: &Source) -> Option<Section> {
             svg: chart.draw(language),
             caption,
             curves: Some(Curves::of_chart(&chart, language)),
+            narrow: None,
         }
     };
     let mut figures = Vec::new();

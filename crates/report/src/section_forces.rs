@@ -65,8 +65,6 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         let used = judged.and_then(|rows| used::figure(language, &lining.name, &section, rows, &suffix));
         block.figures.extend(used);
         block.figures.extend(on_shape::figure(language, lining, (y, &section), &suffix));
-        block.figures.extend(along_lining::figure(language, lining, (y, &section), &suffix));
-        block.figures.extend(thrust_moment::figure(language, lining, &section, &suffix));
         // By its code where one judges it, bars included; else as plain concrete.
         let coded = facts.parts.sections.get(&lining.name).zip(judged);
         let coded = coded.and_then(|(of, rows)| borders::figure(language, &lining.name, of, rows, &suffix));
@@ -78,6 +76,15 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
             block.notes.push(say!(language, "No figure: fewer than two stations have numbers."));
         }
         blocks.push(block);
+        // The same forces along the lining, and in pairs.
+        let figures = along_lining::figure(language, lining, (y, &section), &suffix).into_iter();
+        let figures: Vec<_> =
+            figures.chain(thrust_moment::figure(language, lining, &section, &suffix)).collect();
+        if !figures.is_empty() {
+            let heading =
+                say!(language, "{lining}: forces along it, and pairs of N and M", lining = lining.name);
+            blocks.push(Block { heading, figures, folded: true, ..Block::default() });
+        }
     }
     Some(Chapter { id: ID, heading, blocks })
 }

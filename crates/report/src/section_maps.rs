@@ -40,7 +40,6 @@ fn stress(source: &Source, snapshots: &Snapshots) -> Section {
     let Some(cut) = cut.filter(|cut| cut.cells.iter().any(|cell| cell.value.is_finite())) else {
         return Section::left_out(&heading, say!(language, "The last field file has no field s1_max or s1."));
     };
-    let smooth = fields.smooth(&slice, &cut.field);
     let when = match cut.field.as_str() {
         "s1_max" => {
             say!(
@@ -53,7 +52,6 @@ fn stress(source: &Source, snapshots: &Snapshots) -> Section {
     let map = Map {
         source,
         cut: &cut,
-        smooth: smooth.as_deref(),
         heading: &heading,
         when: &when,
         title: &say!(language, "largest principal stress s1, tension positive"),

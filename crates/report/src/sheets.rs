@@ -147,7 +147,15 @@ fn drawn(sections: &[Placed]) -> Vec<&Figure> {
 }
 
 fn sheet_figure(figure: &Figure) -> SheetFigure {
-    SheetFigure { heading: figure.heading.clone(), svg: markup(&figure.svg) }
+    SheetFigure {
+        heading: figure.heading.clone(),
+        // Drawings side by side begin at one height.
+        svg: markup(&figure.narrow.as_ref().unwrap_or(&figure.svg).replacen(
+            "<svg ",
+            "<svg preserveAspectRatio=\"xMinYMin meet\" ",
+            1,
+        )),
+    }
 }
 
 fn figures(sections: &[Placed]) -> Vec<SheetFigure> {

@@ -30,11 +30,14 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     }
     let mut blocks = vec![table(source, &facts)];
     blocks.extend(force_displacement::block(source, &facts));
-    blocks.extend(relaxation::block(source, &facts));
+    let detail = |block| Block { folded: true, ..block };
+    blocks.extend(relaxation::block(source, &facts).map(detail));
     blocks.extend(convergence::block(source, &facts));
-    blocks.extend(ground_reaction::block(source, &facts));
-    blocks.extend(monitors(source, &facts));
-    blocks.extend(maps::block(source, &facts));
+    blocks.extend(ground_reaction::block(source, &facts).map(detail));
+    blocks.extend(monitors(source, &facts).map(detail));
+    // Of a run that only excavates the maps are the result.
+    let shakes = source.shakes();
+    blocks.extend(maps::block(source, &facts).map(|block| Block { folded: shakes, ..block }));
     let heading =
         if source.shakes() { say!(language, "Before the earthquake") } else { say!(language, "Stages") };
     Some(Chapter { id: "before", heading, blocks })

@@ -25,6 +25,8 @@ pub struct BoltSummary {
     pub there: bool,
     /// Whether they slide along a bond; else they follow what they lie in.
     pub bonded: bool,
+    /// Whether they are reinforcement, of which each row of elements has a chain: how many there are then says nothing.
+    pub bars: bool,
     /// Smallest force at which one yields (N); NaN for never. Tension they were placed with (N).
     #[serde(with = "number", default = "number::absent")]
     pub yield_force: f64,

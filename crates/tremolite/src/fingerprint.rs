@@ -100,6 +100,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         recorded: _,
         waves,
         // Change nothing that is remembered.
+        bars: _,
         title: _,
         page: _,
         boundaries: _,

@@ -155,6 +155,8 @@ pub struct Plan {
     pub pairs: Vec<PairMonitor>,
     /// Behind these.
     pub bolts: Vec<BoltMonitor>,
+    /// So many of the problem's groups of bolts, the last ones, are reinforcement.
+    pub bars: usize,
     /// By which codes sections of linings are judged.
     pub sections: Vec<JudgedBy>,
     /// Pairs of monitors whose relative displacement is kept.

@@ -84,11 +84,48 @@ test("on paper the drawings stand, and what needs a pointer does not", async () 
     await answering(page, "velocity.svg");
     assert.equal(await page.locator('figure[data-curves="velocity.svg"] > svg').isVisible(), false);
     await page.emulateMedia({ media: "print" });
-    const seen = await drawings(page);
-    assert.ok(seen.every(Boolean), `${seen}`);
+    // What is folded away is left out but for what was opened, and named.
+    const folded = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll("figure > svg")].map((svg) => Boolean(svg.closest("details.fold:not([open])"))),
+      );
+    const [seen, away] = [await drawings(page), await folded()];
+    assert.ok(away.some(Boolean) && seen.every((drawn, k) => drawn !== away[k]), `${seen} ${away}`);
+    assert.ok(await page.locator(".unprinted").isVisible());
+    await unfold(page);
+    const all = await drawings(page);
+    assert.ok(all.every(Boolean), `${all}`);
     assert.equal(await page.locator(".curves:visible").count(), 0);
     assert.equal(await page.locator("#view canvas:visible").count(), 0);
   });
+});
+
+test("each of the two sheets fits a page of paper", async () => {
+  // What @page leaves of A4 between its margins.
+  const [width, height] = [182, 265].map((mm) => (mm / 25.4) * 96);
+  for (const folder of ["english", "chinese", "named"]) {
+    const options = { viewport: { width: Math.floor(width), height: 900 } };
+    await withPage(
+      running,
+      folder,
+      async (page) => {
+        await page.emulateMedia({ media: "print" });
+        const sheets = await page.evaluate(() =>
+          [...document.querySelectorAll(".sheet")].map((sheet) => {
+            const top = sheet.getBoundingClientRect().top;
+            return Math.max(...[...sheet.querySelectorAll("*")].map((part) => part.getBoundingClientRect().bottom - top));
+          }),
+        );
+        assert.equal(sheets.length, 2);
+        // What is wider than the paper would shrink all pages.
+        await unfold(page);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+        assert.ok(wide <= Math.ceil(width), `${folder}: ${wide} px wide`);
+        assert.ok(sheets.every((tall) => tall <= height), `${folder}: ${sheets} px of ${height}`);
+      },
+      options,
+    );
+  }
 });
 
 test("names of groups that are markup are shown as they are", async () => {

@@ -129,6 +129,7 @@ fn figure(
         svg,
         caption,
         curves: None,
+        narrow: None,
     }
 }
 

@@ -123,6 +123,7 @@ pub fn block(source: &Source, lines: &BoltLines, when: &str) -> Option<Block> {
         svg,
         caption: language.joined(&said),
         curves: None,
+        narrow: None,
     };
     Some(Block { heading, figures: vec![figure], ..Block::default() })
 }

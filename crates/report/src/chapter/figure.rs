@@ -15,6 +15,8 @@ pub struct Figure {
     pub caption: String,
     /// The numbers behind its curves, where the page's script is to know them.
     pub curves: Option<Curves>,
+    /// The same drawing for half a page's width, as the sheets show it; where there is none they show the wide one.
+    pub narrow: Option<String>,
 }
 
 /// A section of the page: drawn, told with tables and figures, or left out with a reason.
@@ -77,6 +79,8 @@ pub struct Block {
     pub text: String,
     pub tables: Vec<TextTable>,
     pub figures: Vec<Figure>,
+    /// Whether it is detail, folded away until one asks for it.
+    pub folded: bool,
     /// A sentence for what the files do not hold.
     pub notes: Vec<String>,
 }

@@ -3,6 +3,11 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    ("no bar yielded", "钢筋均未屈服"),
+    ("bars yielded, none broke", "有钢筋屈服，无断裂"),
+    ("bars yielded and broke", "有钢筋屈服并断裂"),
+    ("bars, which never yield", "钢筋（不屈服）"),
+    ("bars broke", "有钢筋断裂"),
     (
         "The number of cracks over a length, and so their width, depends on the mesh.",
         "多少条裂缝分担一段张开量、每条有多宽，取决于网格。",

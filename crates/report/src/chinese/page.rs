@@ -3,6 +3,13 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    ("How to read it", "读图说明"),
+    ("Checks that do not apply to this run", "不适用于本次计算的检查"),
+    (
+        "Not printed, since folded away on the screen: open what is to be printed.",
+        "以下各节在屏幕上折叠，未打印；需打印者请先展开：",
+    ),
+    (";", "；"),
     ("of all steps", "全部时间步"),
     (
         "{place} at {time}; the width of a single crack depends on the mesh",

@@ -3,6 +3,7 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    ("{lining}: forces along it, and pairs of N and M", "{lining}：沿衬砌的内力及 N、M 组合"),
     ("N, thrust, tension positive (kN/m)", "轴力 N，受拉为正 (kN/m)"),
     ("M, moment (kN\u{a0}m/m)", "弯矩 M (kN\u{a0}m/m)"),
     ("Q, shear (kN/m)", "剪力 Q (kN/m)"),

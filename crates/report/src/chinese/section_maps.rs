@@ -3,17 +3,10 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
-    ("by element: these are the numbers", "按单元：数值以此为准"),
-    ("smoothed, to be looked at", "光滑化，仅供观察"),
     ("a section coloured by element", "按单元着色的断面"),
     ("Field {field}, {when}, {plane}.", "变量 {field}，{when}，{plane}。"),
     ("Lowest value shown: {value} in the element at {place}.", "图中最小值：{value}，单元位于 {place}。"),
     ("Highest value shown: {value} in the element at {place}.", "图中最大值：{value}，单元位于 {place}。"),
-    (
-        "Smoothed: nodes have the mean of their elements of the same body, and colours go linearly between them, never across a border of bodies; that takes the tips off peaks, so read numbers from the elements.",
-        "光滑化：节点取同一材料体内相邻单元的平均值，其间线性插值，绝不跨越材料体边界；峰值因此被削平，读数请以单元图为准。",
-    ),
-    ("Blue line: zero.", "蓝线为零值线。"),
     ("The section after the last stage", "最后施工阶段后的断面"),
     ("The run wrote no fields of the stages (stages.pvd).", "计算未输出施工阶段的场文件（stages.pvd）。"),
     ("stages.pvd lists no file yet.", "stages.pvd 尚未列出任何文件。"),

@@ -42,7 +42,7 @@ pub const TEXTS: Texts = &[
         "开裂后的截面：不计拉应力，受压区应力为 f_c",
     ),
     (
-        "at the extremes of moment and thrust while the ground shakes, each with the other of that time",
+        "extremes of M and N while the ground shakes, each with the other of that time",
         "地震中弯矩与轴力的极值（另一内力取同一时刻）",
     ),
     ("{lining}: moment over thrust against strength", "{lining}：轴力—弯矩与截面强度"),

@@ -51,7 +51,7 @@ pub const TEXTS: Texts = &[
         "displacement of the initial equilibrium over that of the stages",
         "达到初始平衡的位移与各施工阶段位移之比",
     ),
-    ("nothing comes before the earthquake", "地震前没有施工阶段"),
+    ("there are no stages before the earthquake", "地震前没有施工阶段"),
     ("no stage came to rest", "没有阶段达到静止"),
     (
         "what stages have not let go stays held in the shaking: end with a stage whose `release` is 1",
@@ -69,10 +69,10 @@ pub const TEXTS: Texts = &[
         "初始应力与上覆自重不符或超出岩体承载能力之处不平衡：请检查 `lateral`、`stress` 或 `overburden`；在坡面处和岩层交界附近，少量不平衡是正常的",
     ),
     ("plastic shear strain at the initial equilibrium, integrated", "初始平衡时塑性剪应变的体积积分"),
-    ("rock that the initial stress itself brings to yield", "初始应力本身即使其屈服的岩体"),
+    ("rock that yields under the initial stress alone", "初始应力本身即使其屈服的岩体"),
     ("out-of-balance force over all forces, worst stage", "不平衡力与全部贡献之比，取各阶段最大值"),
     (
-        "each stage goes on until this is below `initial.tolerance`, and little motion is left",
+        "each stage continues until this is below `initial.tolerance` and little motion remains",
         "每个阶段计算至该值低于 `initial.tolerance` 且剩余位移很小为止",
     ),
     (
@@ -82,7 +82,7 @@ pub const TEXTS: Texts = &[
     ("interface pairs whose strength the initial stress exceeds", "初始应力超过其强度的接触面节点对"),
     ("largest displacement in 100 steps without motion", "无输入运动的 100 步内的最大位移"),
     (
-        "what all parts do at rest is held, so nothing moves but by round-off",
+        "all forces at rest are held, so only round-off moves the model",
         "各部分静止时的作用力均被平衡，因此除舍入误差外没有运动",
     ),
     // The step.
@@ -99,7 +99,7 @@ pub const TEXTS: Texts = &[
     // Waves.
     ("elements per shortest wavelength", "最短波长内的单元数（每波长单元数）"),
     ("no wave comes in", "没有波输入"),
-    ("waves at angles come through a free field that is theory itself", "斜入射波的自由场本身即为理论解"),
+    ("with waves at angles the free field is the theory itself", "斜入射波的自由场本身即为理论解"),
     (
         "shear waves of {frequency} Hz (99.9 % of the input's energy lies below) along the longest edge of {element}",
         "频率 {frequency} Hz（输入能量的 99.9 % 在此频率以下）的剪切波，沿{element} 的最长边",
@@ -113,7 +113,7 @@ pub const TEXTS: Texts = &[
     ("motion at the model's corners against the free field", "模型角部与自由场之差"),
     ("computed motion at the record's place against the record", "记录在其观测位置的再现"),
     (
-        "it was taken on other ground than the model's, the layers of motion.site",
+        "it was recorded on the layers of motion.site, not on the model's ground",
         "记录取自模型以外的地层，即 motion.site 给定的地层",
     ),
     (
@@ -132,7 +132,7 @@ pub const TEXTS: Texts = &[
         "理论解针对连续的地层，而每根自由场柱都有接触面穿过",
     ),
     (
-        "the rock of every column yields or cracks, and theory is elastic",
+        "the rock of every column can yield or crack, and the theory is elastic",
         "每根自由场柱的岩体都屈服或开裂，而理论解是弹性的",
     ),
     ("the rows of the histories are too few to show the wave", "时程的数据行太少，不足以反映该波"),
@@ -149,16 +149,16 @@ pub const TEXTS: Texts = &[
         "{end}; the worst of {shown} columns of {all}, since the others yield, crack, are cut by an interface, or show no wave in the rows",
         "{end}；{all} 根自由场柱中 {shown} 根的最大差值，其余各柱屈服、开裂、被接触面切断，或数据行中未反映出波",
     ),
-    ("nothing has reached a column of the ground", "尚无波到达自由场柱"),
+    ("no wave has reached a column of the ground", "尚无波到达自由场柱"),
     (
         "velocity of the model's own surface and base at its vertical edges against that of column '{column}', over that one's peak: sides that hold or drain the free field, caverns too near to them (make `sides` wider), or ground that dips, slopes or changes from side to side, which goes on level outside",
         "模型竖向棱边处地表和底面的速度与自由场柱“{column}”速度之差，除以后者的峰值：可能原因是侧边界约束或消耗自由场、洞室离侧边界太近（请加大 `sides`），或地层倾斜、地表有坡、两侧地层不同，而模型外按水平延伸",
     ),
     // Energy.
     ("energy error over the largest energy in the model", "能量误差与最大持有能量之比"),
-    ("a law books nothing of what it dissipates: {bodies}", "有本构不记录其耗散的能量：{bodies}"),
+    ("laws that do not record their dissipation: {bodies}", "有本构不记录其耗散的能量：{bodies}"),
     ("{law} of {body}", "{body} 的 {law}"),
-    ("nothing moves beyond the round-off of what was stored before", "运动未超出此前储存能量的舍入误差"),
+    ("the motion is within the round-off of the energy stored before", "运动未超出此前储存能量的舍入误差"),
     (
         "largest difference of all rows between the energy found and the energy put in, every line booked by itself, but for ⅛Δt²aᵀMa, which belongs to the scheme, and for what jumps of damage within a step leave, {jumps} J at most, which the bodies' own checks judge",
         "各数据行中求得的能量与输入能量之差的最大值，各项独立记录；不含属于积分格式本身的 ⅛Δt²aᵀMa，也不含损伤在一步内突变所遗留的部分（至多 {jumps} J，由各体自身的检查判断）",
@@ -185,24 +185,21 @@ pub const TEXTS: Texts = &[
     ),
     // Materials.
     ("monitors on broken elements", "位于断裂单元上的监测点"),
-    ("no monitor is in a material that cracks", "没有监测点位于会开裂的材料中"),
-    (
-        "elements whose every point is broken in tension are loose pieces",
-        "所有积分点均已拉断的单元是松动块体",
-    ),
+    ("no monitor is in a material that can crack", "没有监测点位于会开裂的材料中"),
+    ("an element with all points broken in tension is a loose piece", "所有积分点均已拉断的单元是松动块体"),
     (
         "{monitors}: every point of the element is broken; its displacement is that of a loose piece",
         "{monitors}：单元的所有积分点均已断裂；其位移是松动块体的位移",
     ),
     ("yielding rock without initial stress", "无初始应力的屈服岩体"),
     ("the ground begins with initial stress", "地层具有初始应力"),
-    ("no rock yields by its pressure", "没有强度随压力变化的屈服岩体"),
+    ("no rock's strength depends on its pressure", "没有强度随压力变化的屈服岩体"),
     (
         "{names}: strength grows with pressure, and the weight of the ground is not in this run; it yields earlier and further than in place, most of all in tension",
         "{names}：强度随压力增长，而本次计算未计入地层自重；与实际相比屈服更早、范围更大，受拉时尤甚",
     ),
     ("fibre stress of intact elements over the tensile strength", "完好单元的表层应力与抗拉强度之比"),
-    ("no lining of several points an element cracks", "没有多积分点单元的衬砌会开裂"),
+    ("no lining with several points per element can crack", "没有多积分点单元的衬砌会开裂"),
     (
         "{body}, element {element} at {place} at {time} s; points inside an element crack later than its fibre: \
          element = \"layered\" has points at both faces",
@@ -214,14 +211,14 @@ pub const TEXTS: Texts = &[
         "{least} to {most} N/m for cracks across the elements' shortest to longest extents: a law that softens by strain alone dissipates more the larger the element; give fracture_energy",
         "裂缝横穿单元最短至最长尺寸时为 {least} 至 {most} N/m：仅按应变软化的本构，单元越大耗散越多；请给出 fracture_energy",
     ),
-    ("no law softens by strain alone", "没有仅按应变软化的本构"),
+    ("no law has a softening in strain alone", "没有仅按应变软化的本构"),
     ("fracture energy, {body}", "断裂能，{body}"),
-    ("cracks dissipate it whatever the size of the element", "无论单元大小，裂缝都耗散该能量"),
+    ("cracks dissipate it in elements of any size", "无论单元大小，裂缝都耗散该能量"),
     ("{check}, {body}", "{check}，{body}"),
     ("strength at corners over that by the fracture energy", "角部强度与断裂能所对应强度之比"),
-    ("no concrete drops to a plateau as it cracks", "没有开裂时骤降至残余平台的混凝土"),
+    ("no concrete has the plateau (evolution = residual)", "没有开裂时骤降至残余平台的混凝土"),
     (
-        "nothing of it has cracked, though a plateau makes corners too weak",
+        "none of it has cracked; a plateau makes corners too weak",
         "其中没有任何部分开裂，尽管残余平台会使角部强度偏低",
     ),
     (

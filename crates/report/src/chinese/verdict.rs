@@ -74,9 +74,9 @@ pub const TEXTS: Texts = &[
         "Interface {name}: opened over {opened} of its area, slid nowhere.",
         "接触面 {name}：张开面积占 {opened}，没有滑移。",
     ),
-    ("Reinforcement of {name}: no bar yielded.", "{name} 的钢筋：均未屈服。"),
-    ("Reinforcement of {name}: bars yielded, none broke.", "{name} 的钢筋：有屈服，无拉断。"),
-    ("Reinforcement of {name}: bars yielded and broke.", "{name} 的钢筋：有屈服并有拉断。"),
+    ("Reinforcement {name}: no bar yielded.", "{name} 的钢筋：均未屈服。"),
+    ("Reinforcement {name}: bars yielded, none broke.", "{name} 的钢筋：有屈服，无拉断。"),
+    ("Reinforcement {name}: bars yielded and broke.", "{name} 的钢筋：有屈服并有拉断。"),
     ("in thrust and moment", "轴力与弯矩"),
     ("Bolts {name}: none of {all} yielded.", "锚杆 {name}：{all} 根均未屈服。"),
     (

@@ -147,7 +147,7 @@ fn figure(runs: &[Run], monitor: &str, histories: &[History], language: Language
     svg.text((WIDTH - RIGHT, bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
     let svg = svg.finish(bottom + 42.0, monitor, &say!(language, "histories of the runs, overlaid"));
     let curves = Some(answering(runs, monitor, histories));
-    Figure { heading: monitor.into(), file: String::new(), svg, caption: String::new(), curves }
+    Figure { heading: monitor.into(), file: String::new(), svg, caption: String::new(), curves, narrow: None }
 }
 
 /// How many rows of two histories are at the same times, where one is as the other begins; nothing where they are not.

@@ -197,6 +197,7 @@ impl Scene {
                 svg,
                 caption: language.joined(&own),
                 curves: None,
+                narrow: None,
             });
         }
         let maps: Vec<(String, &[f64])> =
@@ -209,6 +210,7 @@ impl Scene {
                 svg,
                 caption: language.joined(&said),
                 curves: None,
+                narrow: None,
             });
         }
         if figures.is_empty() {

@@ -5,15 +5,17 @@ use std::borrow::Cow;
 use serde::Serialize;
 
 use crate::drawing::axes::{Axes, drawable};
+use crate::drawing::plot::WIDTH;
 use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::drawing::thinning::thin;
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
 use crate::quantities::scale::{Scale, moment};
 
-const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;
 const RIGHT: f64 = 16.0;
+/// Of all panels of a figure that is narrow.
+const NARROW_HEIGHT: f64 = 400.0;
 /// Room for a panel's heading.
 const HEADING: f64 = 32.0;
 
@@ -127,8 +129,15 @@ impl Panel<'_> {
 impl Chart<'_> {
     /// The figure as SVG.
     pub fn draw(&self, language: Language) -> String {
-        let mut svg = Svg::new(WIDTH);
+        self.draw_at(language, WIDTH)
+    }
+
+    /// The figure as SVG of another width.
+    pub fn draw_at(&self, language: Language, width: f64) -> String {
+        let mut svg = Svg::new(width);
         let height = match self.panels.len() {
+            // Beside others on a sheet it is as tall whatever it shows.
+            number if width < WIDTH => (NARROW_HEIGHT / number.max(1) as f64 - HEADING).clamp(56.0, 270.0),
             0 | 1 => 270.0,
             2 => 200.0,
             _ => 158.0,
@@ -137,18 +146,18 @@ impl Chart<'_> {
         let across = Ticks::within(
             finite().fold(f64::INFINITY, f64::min),
             finite().fold(f64::NEG_INFINITY, f64::max),
-            10,
+            if width < WIDTH { 6 } else { 10 },
         );
-        let mut top = self.legend(&mut svg) - 4.0;
+        let mut top = self.legend(&mut svg, width) - 4.0;
         for panel in &self.panels {
-            self.panel(&mut svg, panel, &across, (top + HEADING, height), language);
+            self.panel(&mut svg, panel, (&across, width), (top + HEADING, height), language);
             top += HEADING + height;
         }
         for (t, label) in &across.marks {
-            let x = LEFT + across.fraction(*t) * (WIDTH - LEFT - RIGHT);
+            let x = LEFT + across.fraction(*t) * (width - LEFT - RIGHT);
             svg.text((x, top + 17.0), Anchor::Middle, 12.0, Style::Muted, label);
         }
-        svg.text((WIDTH - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, &say!(language, "time (s)"));
+        svg.text((width - RIGHT, top + 34.0), Anchor::End, 12.0, Style::Muted, &say!(language, "time (s)"));
         let description = self
             .panels
             .iter()
@@ -159,7 +168,7 @@ impl Chart<'_> {
     }
 
     /// Names and colours above the panels, in rows; returns where the rows end.
-    fn legend(&self, svg: &mut Svg) -> f64 {
+    fn legend(&self, svg: &mut Svg, whole: f64) -> f64 {
         let mut entries: Vec<(&str, usize, Stroke)> = Vec::new();
         for line in self.panels.iter().flat_map(|panel| &panel.lines) {
             if !entries.iter().any(|(name, ..)| *name == line.name) {
@@ -169,7 +178,7 @@ impl Chart<'_> {
         let (mut x, mut y) = (LEFT, 14.0);
         for (name, colour, stroke) in entries {
             let width = 28.0 + text_width(name, 13.0) + 20.0;
-            if x + width > WIDTH && x > LEFT {
+            if x + width > whole && x > LEFT {
                 (x, y) = (LEFT, y + 20.0);
             }
             let (pen, colour) = stroke.pen(colour);
@@ -184,17 +193,22 @@ impl Chart<'_> {
         &self,
         svg: &mut Svg,
         panel: &Panel<'_>,
-        across: &Ticks,
+        (across, width): (&Ticks, f64),
         (top, height): (f64, f64),
         language: Language,
     ) {
         let bottom = top + height;
         let (low, high) = panel.range();
         let up = Ticks::around(low * panel.scale.factor, high * panel.scale.factor, (height / 38.0) as usize);
-        let axes = Axes { left: LEFT, right: WIDTH - RIGHT, top, bottom, across: across.clone(), up };
+        let axes = Axes { left: LEFT, right: width - RIGHT, top, bottom, across: across.clone(), up };
         axes.draw(svg);
         svg.text((LEFT, top - 8.0), Anchor::Start, 13.0, Style::Bold, &panel.scale.labelled(&panel.title));
-        svg.text((WIDTH - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &self.remark(panel, language));
+        // Beside the title where there is room for both.
+        let remark = self.remark(panel, language);
+        let title = text_width(&panel.scale.labelled(&panel.title), 13.0);
+        if 1.1 * title + text_width(&remark, 12.0) < width - LEFT - RIGHT {
+            svg.text((width - RIGHT, top - 8.0), Anchor::End, 12.0, Style::Muted, &remark);
+        }
         for line in &panel.lines {
             let shown = |x: f64| if drawable(x) { x } else { f64::NAN };
             let points = self.time.iter().zip(line.values.iter());

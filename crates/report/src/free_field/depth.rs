@@ -92,6 +92,7 @@ pub fn section(source: &Source) -> Option<Section> {
         svg: draw(source, table, &quantities, &moving, &facts, &heading),
         caption: caption(source, table),
         curves: None,
+        narrow: None,
     };
     let block = Block { figures: vec![figure], ..Block::default() };
     Some(Section::Told(Chapter { id: "depth", heading, blocks: vec![block] }))

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use crate::chapter::figure::Figure;
 use crate::drawing::chart::{Chart, Curve, Panel};
+use crate::drawing::plot::NARROW;
 use crate::drawing::small_multiples::{Multiples, PanelLine};
 use crate::language::Language;
 use crate::script::curves::Curves;
@@ -36,10 +37,12 @@ pub fn figures(language: Language, titles: &Titles<'_>, time: &[f64], panels: Ve
         svg,
         caption,
         curves: Some(Curves::of_chart(chart, language)),
+        narrow: None,
     };
     if panels.iter().all(|panel| panel.lines.len() <= TOGETHER) {
         let chart = Chart { title: titles.heading.into(), time, panels };
-        return vec![figure(0, chart.draw(language), titles.caption.into(), &chart)];
+        let drawn = figure(0, chart.draw(language), titles.caption.into(), &chart);
+        return vec![Figure { narrow: Some(chart.draw_at(language, NARROW)), ..drawn }];
     }
     let rows = rows(&panels);
     let sheets = rows.len().div_ceil(ROWS);

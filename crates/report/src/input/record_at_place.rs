@@ -67,5 +67,5 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
     ));
     let chart = Chart { title: heading.clone(), time: &found.time, panels };
     let (svg, curves) = (chart.draw(language), Some(Curves::of_chart(&chart, language)));
-    Some(Figure { heading, file: "record.svg".into(), svg, caption, curves })
+    Some(Figure { heading, file: "record.svg".into(), svg, caption, curves, narrow: None })
 }

@@ -64,7 +64,10 @@ pub fn figure(source: &Source, moving: &[usize]) -> (Option<Figure>, Vec<String>
          so many times the record, errors of the record included. Numbers: transfer.csv."
     );
     let (svg, answering) = (drawing.draw(&heading), Some(drawing.answering(&heading)));
-    (Some(Figure { heading, file: "transfer.svg".into(), svg, caption, curves: answering }), Vec::new())
+    (
+        Some(Figure { heading, file: "transfer.svg".into(), svg, caption, curves: answering, narrow: None }),
+        Vec::new(),
+    )
 }
 
 /// A curve for each component, one for those that are the same.

@@ -122,5 +122,6 @@ fn figure(source: &Source, table: &Table, name: &str, area: f64) -> Option<Figur
         svg: chart.draw(language),
         caption,
         curves: Some(Curves::of_chart(&chart, language)),
+        narrow: None,
     })
 }

@@ -71,6 +71,7 @@ pub fn section(source: &Source) -> Option<Section> {
         svg,
         caption: language.joined(&said),
         curves: None,
+        narrow: None,
     };
     Some(Section::Drawn(figures.into_iter().map(figure).collect()))
 }

@@ -90,6 +90,7 @@ fn figure(source: &Source, table: &Table, monitor: &str, file: String) -> Figure
         svg: loops.draw(),
         caption,
         curves: None,
+        narrow: None,
     }
 }
 
@@ -124,5 +125,6 @@ fn path(source: &Source, table: &Table, monitor: &str, file: String) -> Figure {
         svg: drawing.draw(),
         caption,
         curves: None,
+        narrow: None,
     }
 }

@@ -94,7 +94,7 @@ pub fn figure(
     let description = say!(language, "thrust, moment and shear over the length along the lining");
     let svg = svg.finish(top + 16.0, &title, &description);
     let file = format!("lining-forces{suffix}.svg");
-    Some(Figure { heading: title, file, svg, caption, curves: Some(curves) })
+    Some(Figure { heading: title, file, svg, caption, curves: Some(curves), narrow: None })
 }
 
 /// What is drawn of a force: after the stages, largest, smallest.

@@ -5,7 +5,7 @@ use tremolite_results::{Border, SectionStrength};
 
 use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, NARROW, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
@@ -51,26 +51,36 @@ pub fn figure(
     }
     let ((left, right), (low, high)) = plot::ranges(&curves);
     let title = say!(language, "{lining}: N and M against the strength of the sections", lining = lining);
-    let mut svg = Svg::new(WIDTH);
-    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &curves);
-    let axes = Axes {
-        left: LEFT,
-        right: WIDTH - RIGHT,
-        top,
-        bottom: top + 320.0,
-        across: Ticks::around(left, right, 10),
-        up: Ticks::around(low, high, 7),
-    };
-    plot::draw(&mut svg, &axes, &curves);
     let below = say!(language, "N (kN/m), tension positive; upwards M (kN\u{a0}m/m)");
-    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
-    let svg = svg.finish(axes.bottom + 42.0, &title, &below);
+    let drawn = |width: f64, heading: &str| {
+        let mut svg = Svg::new(width);
+        let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &curves);
+        let axes = Axes {
+            left: LEFT,
+            right: width - RIGHT,
+            top,
+            bottom: top + 320.0,
+            across: Ticks::around(left, right, if width < WIDTH { 6 } else { 10 }),
+            up: Ticks::around(low, high, 7),
+        };
+        plot::draw(&mut svg, &axes, &curves);
+        svg.text((width - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
+        svg.finish(axes.bottom + 42.0, &title, &below)
+    };
+    let (svg, narrow) = (drawn(WIDTH, &title), Some(drawn(NARROW, "")));
     let caption = say!(
         language,
         "Design strength by {code}, bars included; each point is N and M of one instant. Inside its line a section bears them.",
         code = of.code
     );
-    Some(Figure { heading: title, file: format!("section-strength{suffix}.svg"), svg, caption, curves: None })
+    Some(Figure {
+        heading: title,
+        file: format!("section-strength{suffix}.svg"),
+        svg,
+        caption,
+        curves: None,
+        narrow,
+    })
 }
 
 fn line(language: Language, border: &Border, colour: usize) -> PlotCurve {

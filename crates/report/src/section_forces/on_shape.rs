@@ -14,6 +14,8 @@ const TALLEST: f64 = 420.0;
 const TOP: f64 = 52.0;
 /// Beside the ordinates, for their numbers.
 const ROOM: f64 = 46.0;
+/// By this texts are larger where the drawing is shrunk to half a page's width.
+const LARGER: f64 = 1.6;
 
 /// Forces at a station by which a diagram is drawn; none where there is no number.
 type Of<'a> = &'a dyn Fn(&Station) -> Option<f64>;
@@ -30,23 +32,30 @@ pub fn figure(
     }
     let (x, z) =
         (plot::range(section.iter().map(|s| s.place[0])), plot::range(section.iter().map(|s| s.place[2])));
-    let cell = WIDTH / 3.0;
-    let margin = LONGEST + ROOM;
-    let zoom = ((cell - 2.0 * margin) / (x.1 - x.0).max(1e-9))
-        .min((TALLEST - 2.0 * LONGEST) / (z.1 - z.0).max(1e-9));
-    let height = (z.1 - z.0) * zoom + 2.0 * margin;
     let title = say!(language, "{lining}: forces on the lining's shape", lining = lining.name);
-    let mut svg = Svg::new(WIDTH);
-    legend(language, &mut svg, lining);
-    for (i, force) in forces(language).into_iter().enumerate() {
-        let middle = (i as f64 + 0.5) * cell;
-        svg.text((middle, TOP - 8.0), Anchor::Middle, 13.0, Style::Bold, &force);
-        let place = |s: &Station| {
-            (middle + (s.place[0] - 0.5 * (x.0 + x.1)) * zoom, TOP + margin + (z.1 - s.place[2]) * zoom)
-        };
-        let places: Vec<(f64, f64)> = section.iter().map(|s| place(s)).collect();
-        diagram(&mut svg, section, &places, i);
-    }
+    let description = say!(language, "thrust, moment and shear on the section of the lining");
+    let drawn = |larger: f64| {
+        let cell = WIDTH / 3.0;
+        let margin = LONGEST + larger.sqrt() * ROOM;
+        let zoom = ((cell - 2.0 * margin) / (x.1 - x.0).max(1e-9))
+            .min((TALLEST - 2.0 * LONGEST) / (z.1 - z.0).max(1e-9));
+        let height = (z.1 - z.0) * zoom + 2.0 * LONGEST + 2.0 * ROOM;
+        let mut svg = Svg::new(WIDTH);
+        let top = legend(language, &mut svg, lining, larger);
+        for (i, force) in forces(language).into_iter().enumerate() {
+            let middle = (i as f64 + 0.5) * cell;
+            let size = (13.0 * larger).min(0.96 * cell / text_width(&force, 1.0));
+            svg.text((middle, top - 8.0), Anchor::Middle, size, Style::Bold, &force);
+            let place = |s: &Station| {
+                let down = LONGEST + ROOM + (z.1 - s.place[2]) * zoom;
+                (middle + (s.place[0] - 0.5 * (x.0 + x.1)) * zoom, top + down)
+            };
+            let places: Vec<(f64, f64)> = section.iter().map(|s| place(s)).collect();
+            diagram(&mut svg, (section, &places), i, larger);
+        }
+        svg.finish(top + height + 4.0, &title, &description)
+    };
+    let (svg, narrow) = (drawn(1.0), Some(drawn(LARGER)));
     let caption = say!(
         language,
         "Section y = {y}\u{a0}m; to the left x is smaller. The thin line is the middle of the lining. N is drawn outwards \
@@ -54,26 +63,37 @@ pub fn figure(
          where M peaks, and whether N still compresses there.",
         y = trimmed(&format!("{y:.2}").replace('-', "−"))
     );
-    let description = say!(language, "thrust, moment and shear on the section of the lining");
-    let svg = svg.finish(TOP + height + 4.0, &title, &description);
-    Some(Figure { heading: title, file: format!("lining-shape{suffix}.svg"), svg, caption, curves: None })
+    Some(Figure {
+        heading: title,
+        file: format!("lining-shape{suffix}.svg"),
+        svg,
+        caption,
+        curves: None,
+        narrow,
+    })
 }
 
-fn legend(language: Language, svg: &mut Svg, lining: &Lining) {
-    let mut x = 24.0;
+/// Names and colours in rows; returns where the drawings begin.
+fn legend(language: Language, svg: &mut Svg, lining: &Lining, larger: f64) -> f64 {
+    let (mut x, mut y) = (24.0, 16.0 * larger.sqrt());
     let all = [
         lining.after.clone(),
         say!(language, "largest while the ground shakes"),
         say!(language, "smallest while the ground shakes"),
     ];
     for (k, name) in all.iter().enumerate().take(if lining.shaken() { 3 } else { 1 }) {
-        svg.lines(COLOURS[k], 2.4, &[vec![(x, 11.5), (x + 20.0, 11.5)]]);
-        svg.text((x + 26.0, 16.0), Anchor::Start, 12.0, Style::Plain, name);
-        x += 26.0 + text_width(name, 12.0) + 16.0;
+        let wide = 26.0 + text_width(name, 12.0 * larger) + 16.0;
+        if x + wide > WIDTH && x > 24.0 {
+            (x, y) = (24.0, y + 18.0 * larger);
+        }
+        svg.lines(COLOURS[k], 2.4, &[vec![(x, y - 4.5 * larger), (x + 20.0, y - 4.5 * larger)]]);
+        svg.text((x + 26.0, y), Anchor::Start, 12.0 * larger, Style::Plain, name);
+        x += wide;
     }
+    y + (TOP - 16.0) * larger
 }
 
-fn diagram(svg: &mut Svg, section: &[&Station], places: &[(f64, f64)], i: usize) {
+fn diagram(svg: &mut Svg, (section, places): (&[&Station], &[(f64, f64)]), i: usize, larger: f64) {
     let joints = joints(section);
     let normals = normals(&joints, places);
     // A positive moment stretches the intrados, which is inside. Thrust mostly compresses, and has more room outside.
@@ -143,7 +163,8 @@ fn diagram(svg: &mut Svg, section: &[&Station], places: &[(f64, f64)], i: usize)
         } else {
             Anchor::Middle
         };
-        svg.text((at.0 + 6.0 * dx, at.1 + 4.0 + 10.0 * dy), anchor, 12.0, Style::Bold, &kilo(value));
+        let at = (at.0 + 6.0 * dx, at.1 + larger * (4.0 + 10.0 * dy));
+        svg.text(at, anchor, 12.0 * larger, Style::Bold, &kilo(value));
     }
 }
 

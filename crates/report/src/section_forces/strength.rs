@@ -10,7 +10,7 @@ use tremolite_results::Summary;
 
 use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, NARROW, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::say;
@@ -111,10 +111,8 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
         ),
     ];
     if !shaken.is_empty() {
-        let name = say!(
-            language,
-            "at the extremes of moment and thrust while the ground shakes, each with the other of that time"
-        );
+        let name =
+            say!(language, "extremes of M and N while the ground shakes, each with the other of that time");
         curves.push(PlotCurve::new(name, 6, Pen::Dots, points(&shaken)));
     }
     if !after.is_empty() {
@@ -133,20 +131,23 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
         })
         .collect();
     let title = say!(language, "{lining}: moment over thrust against strength", lining = lining.name);
-    let mut svg = Svg::new(WIDTH);
-    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &clipped);
-    let axes = Axes {
-        left: LEFT,
-        right: WIDTH - RIGHT,
-        top,
-        bottom: top + 320.0,
-        across: Ticks::within(left, right, 10),
-        up: Ticks::within(-most, most, 7),
-    };
-    plot::draw(&mut svg, &axes, &clipped);
     let below = say!(language, "N / (f_c t), tension positive; upwards M / (f_c t²)");
-    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
-    let svg = svg.finish(axes.bottom + 42.0, &title, &below);
+    let drawn = |width: f64, heading: &str| {
+        let mut svg = Svg::new(width);
+        let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &clipped);
+        let axes = Axes {
+            left: LEFT,
+            right: width - RIGHT,
+            top,
+            bottom: top + 320.0,
+            across: Ticks::within(left, right, if width < WIDTH { 6 } else { 10 }),
+            up: Ticks::within(-most, most, 7),
+        };
+        plot::draw(&mut svg, &axes, &clipped);
+        svg.text((width - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
+        svg.finish(axes.bottom + 42.0, &title, &below)
+    };
+    let (svg, narrow) = (drawn(WIDTH, &title), Some(drawn(NARROW, "")));
     let count =
         |states: &[[f64; 2]], fine: &dyn Fn([f64; 2]) -> bool| states.iter().filter(|s| !fine(**s)).count();
     let beyond = |fine: &dyn Fn([f64; 2]) -> bool| {
@@ -179,7 +180,14 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
             ultimate = beyond(&|s| strength.bears(s)),
         ));
     }
-    Ok(Figure { heading: title, file: format!("section-strength{suffix}.svg"), svg, caption, curves: None })
+    Ok(Figure {
+        heading: title,
+        file: format!("section-strength{suffix}.svg"),
+        svg,
+        caption,
+        curves: None,
+        narrow,
+    })
 }
 
 /// The parts of a line within the axes. Lines here are finely cut or straight, so it is enough to cut each piece at the border.

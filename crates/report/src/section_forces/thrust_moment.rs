@@ -79,5 +79,12 @@ pub fn figure(language: Language, lining: &Lining, section: &[&Station], suffix:
     );
     let description = say!(language, "moment over thrust at each station");
     let svg = svg.finish(axes.bottom + 42.0, &title, &description);
-    Some(Figure { heading: title, file: format!("thrust-moment{suffix}.svg"), svg, caption, curves: None })
+    Some(Figure {
+        heading: title,
+        file: format!("thrust-moment{suffix}.svg"),
+        svg,
+        caption,
+        curves: None,
+        narrow: None,
+    })
 }

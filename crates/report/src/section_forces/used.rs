@@ -6,7 +6,7 @@ use tremolite_results::{SectionStrength, Summary, Used};
 use crate::chapter::figure::{Block, Figure};
 use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::drawing::axes::Axes;
-use crate::drawing::plot::{self, LEFT, Pen, PlotCurve, RIGHT, WIDTH};
+use crate::drawing::plot::{self, LEFT, NARROW, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
@@ -18,11 +18,34 @@ use crate::source::Source;
 /// Beyond this a utilisation says no more than that nearly nothing is borne.
 const MOST: f64 = 100.0;
 
-/// A utilisation as the page shows it.
+/// A utilisation as the page shows it. Where nothing at all is borne it is infinite, which is no number in the file.
 pub fn shown(value: f64) -> String {
     match value {
-        v if v > MOST || v.is_nan() => format!("> {MOST}"),
+        v if v.is_nan() || v.is_infinite() => "∞".to_owned(),
+        v if v > MOST => format!("> {MOST}"),
         v => figures(v, 3),
+    }
+}
+
+/// The clauses by which a lining is judged in thrust and moment and in shear; none where its code has none.
+pub fn clauses(of: &SectionStrength) -> [&'static str; 2] {
+    match (of.code.starts_with("GB"), of.reinforced > 0) {
+        (false, true) => ["6.1", "6.2.2"],
+        (false, false) => ["12.6.1", "12.6.3"],
+        (true, true) => ["6.2", "6.3.3"],
+        (true, false) => ["D.2.1", ""],
+    }
+}
+
+/// Why nothing is borne in shear; empty where something is.
+pub fn without_shear(language: Language, of: &SectionStrength) -> String {
+    let infinite = of.shear.as_ref().filter(|used| !used.value.is_finite());
+    match infinite.map(|used| used.forces[0]) {
+        Some(thrust) if thrust > 0.0 => {
+            say!(language, "tension of {thrust} kN/m leaves no resistance to shear", thrust = kilo(thrust))
+        }
+        Some(_) => say!(language, "too little is compressed to resist shear"),
+        None => String::new(),
     }
 }
 
@@ -85,9 +108,16 @@ fn coordinates(at: [f64; 3]) -> [String; 3] {
     at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")))
 }
 
+/// Whether a lining that can neither crack nor yield was loaded beyond its strength in thrust and moment: what cracks that leaves an
+/// elastic law does not know.
+pub fn overloaded(of: &SectionStrength) -> bool {
+    !of.yields && of.bending.as_ref().is_some_and(|used| used.value.is_nan() || used.value > 1.0)
+}
+
 /// The widest crack that is left in a lining's sections with bars.
 pub fn left(source: &Source, of: &SectionStrength) -> String {
     match &of.crack {
+        Some(crack) if crack.station > 0 && overloaded(of) => say!(source.language, "not known"),
         Some(crack) if crack.station > 0 && crack.width.is_nan() => say!(source.language, "bars yield"),
         Some(crack) if crack.station > 0 && crack.width == 0.0 => say!(source.language, "none"),
         Some(crack) if crack.station > 0 => source.quantity(Kind::Opening, crack.width),
@@ -214,24 +244,34 @@ pub fn figure(
         curve.pieces.iter_mut().flatten().for_each(|p| p.1 = p.1.min(most));
     }
     let title = say!(language, "{lining}: utilisation of the sections", lining = lining);
-    let mut svg = Svg::new(WIDTH);
-    let top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &title, &curves);
-    let axes = Axes {
-        left: LEFT,
-        right: WIDTH - RIGHT,
-        top,
-        bottom: top + 240.0,
-        across: Ticks::within(0.0, end, 12),
-        up: Ticks::around(0.0, most, 6),
-    };
-    plot::draw(&mut svg, &axes, &curves);
     let below = say!(language, "along the lining (m), from below by the wall of greater x over the crown");
-    svg.text((WIDTH - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
-    let svg = svg.finish(axes.bottom + 42.0, &title, &below);
+    let drawn = |width: f64, heading: &str| {
+        let mut svg = Svg::new(width);
+        let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &curves);
+        let axes = Axes {
+            left: LEFT,
+            right: width - RIGHT,
+            top,
+            bottom: top + 240.0,
+            across: Ticks::within(0.0, end, 12),
+            up: Ticks::around(0.0, most, 6),
+        };
+        plot::draw(&mut svg, &axes, &curves);
+        svg.text((width - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
+        svg.finish(axes.bottom + 42.0, &title, &below)
+    };
+    let (svg, narrow) = (drawn(WIDTH, &title), Some(drawn(NARROW, "")));
     let caption = say!(
         language,
         "Of the section drawn below. Values beyond {most} are drawn there.",
         most = figures(most, 2)
     );
-    Some(Figure { heading: title, file: format!("utilisation{suffix}.svg"), svg, caption, curves: None })
+    Some(Figure {
+        heading: title,
+        file: format!("utilisation{suffix}.svg"),
+        svg,
+        caption,
+        curves: None,
+        narrow,
+    })
 }

@@ -208,5 +208,6 @@ fn figure(
         svg,
         caption: language.joined(&said),
         curves: None,
+        narrow: None,
     }
 }

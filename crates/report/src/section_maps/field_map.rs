@@ -1,4 +1,4 @@
-//! Figure of a field on the section: flat as the elements have it, and smoothed to be looked at.
+//! Figure of a field on the section, as the elements have it.
 
 use tremolite_results::{Cut, CutCell};
 
@@ -13,8 +13,6 @@ use crate::source::Source;
 pub struct Map<'a> {
     pub source: &'a Source,
     pub cut: &'a Cut,
-    /// The same smoothed, at the corners of each cell; without it the cells stand alone.
-    pub smooth: Option<&'a [Vec<f64>]>,
     pub heading: &'a str,
     /// At which time, or after which stage.
     pub when: &'a str,
@@ -33,50 +31,36 @@ impl Map<'_> {
     pub fn figure(&self, positions: &Positions) -> Figure {
         let (language, cut) = (self.source.language, self.cut);
         let window = window(cut, positions, self.margin, |_| false);
-        let seen: Vec<usize> =
-            (0..cut.cells.len()).filter(|&k| window.meets(&cut.cells[k].outline)).collect();
-        let finite = || seen.iter().map(|&k| &cut.cells[k]).filter(|cell| cell.value.is_finite());
+        let seen: Vec<&CutCell> = cut.cells.iter().filter(|cell| window.meets(&cell.outline)).collect();
+        let finite = || seen.iter().copied().filter(|cell| cell.value.is_finite());
         let low = finite().map(|cell| cell.value).fold(f64::INFINITY, f64::min);
         let high = finite().map(|cell| cell.value).fold(f64::NEG_INFINITY, f64::max);
         let scale = self.source.units.suiting(&cut.unit, low.abs().max(high.abs()));
-        let row = MapRow::of(window, if self.smooth.is_some() { 2 } else { 1 });
+        let row = MapRow::of(window, 1);
         let borders = borders(&cut.cells);
-        let frame = || {
-            let mut frame = row.frame(low * scale.factor, high * scale.factor);
-            if self.lowest {
-                frame.darkest_is_lowest();
-            }
-            frame.outlines(&borders);
-            points(&mut frame, cut, positions);
-            frame
-        };
-        let mut flat = frame();
+        let mut frame = row.frame(low * scale.factor, high * scale.factor);
+        if self.lowest {
+            frame.darkest_is_lowest();
+        }
+        frame.outlines(&borders);
+        points(&mut frame, cut, positions);
         for cell in finite() {
-            flat.cell(&cell.outline, cell.value * scale.factor);
+            frame.cell(&cell.outline, cell.value * scale.factor);
         }
-        let mut maps = vec![(String::new(), flat)];
-        if let Some(smooth) = self.smooth {
-            maps[0].0 = say!(language, "by element: these are the numbers");
-            let mut frame = frame();
-            for &k in &seen {
-                let values: Vec<f64> = smooth[k].iter().map(|value| value * scale.factor).collect();
-                frame.contours(&cut.cells[k].outline, &values);
-            }
-            maps.push((say!(language, "smoothed, to be looked at"), frame));
-        }
+        let maps = vec![(String::new(), frame)];
         let svg =
             row.draw(&scale.labelled(self.title), &maps, &say!(language, "a section coloured by element"));
-        let zero = self.smooth.is_some() && low < 0.0 && high > 0.0;
         Figure {
             heading: self.heading.into(),
             file: self.file.into(),
             svg,
-            caption: self.caption(finite(), &scale, zero),
+            caption: self.caption(finite(), &scale),
             curves: None,
+            narrow: None,
         }
     }
 
-    fn caption<'a>(&self, cells: impl Iterator<Item = &'a CutCell>, scale: &Scale, zero: bool) -> String {
+    fn caption<'a>(&self, cells: impl Iterator<Item = &'a CutCell>, scale: &Scale) -> String {
         let language = self.source.language;
         let plane = on_plane(language, self.cut.y);
         let mut said = vec![say!(
@@ -106,16 +90,6 @@ impl Map<'_> {
                     place = place
                 ),
             });
-        }
-        if self.smooth.is_some() {
-            said.push(say!(
-                language,
-                "Smoothed: nodes have the mean of their elements of the same body, and colours go linearly between them, never \
-                 across a border of bodies; that takes the tips off peaks, so read numbers from the elements."
-            ));
-        }
-        if zero {
-            said.push(say!(language, "Blue line: zero."));
         }
         language.joined(&said)
     }

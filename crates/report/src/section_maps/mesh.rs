@@ -56,6 +56,7 @@ pub fn section(source: &Source) -> Option<Section> {
         svg,
         caption,
         curves: None,
+        narrow: None,
     }]))
 }
 

@@ -82,6 +82,7 @@ impl Zones {
                     svg,
                     caption,
                     curves: None,
+                    narrow: None,
                 });
             }
             if let Some(cut) = self.strain.as_ref().filter(|cut| strains(cut)) {
@@ -93,6 +94,7 @@ impl Zones {
                     svg,
                     caption,
                     curves: None,
+                    narrow: None,
                 });
             }
         }

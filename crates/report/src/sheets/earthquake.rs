@@ -21,10 +21,6 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     let level = &summary.case.report.design_level;
     let level = if level.is_empty() { say!(language, "its level is not given") } else { level.clone() };
     facts.push(card(label(), level, ""));
-    let records: Vec<&String> = motion.source.values().collect();
-    if let Some(record) = records.first() {
-        facts.push(card(say!(language, "Record"), (*record).clone(), ""));
-    }
     let place = match motion.kind.as_str() {
         "outcrop" => say!(language, "at the surface of rock that crops out; half of it comes in from below"),
         "incident" => say!(language, "the wave that comes in from below"),
@@ -32,7 +28,12 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         "surface" => say!(language, "at the surface of the ground"),
         _ => kind_of_motion(language, &motion.kind),
     };
-    facts.push(card(say!(language, "Meant"), place, ""));
+    // Where the record is meant stands beside it.
+    match motion.source.values().next() {
+        Some(record) => facts.push(card(say!(language, "Record"), record.clone(), place)),
+        None => facts.push(card(say!(language, "Meant"), place, "")),
+    }
+    let mut peaks_told: Vec<String> = Vec::new();
     for (peaks, label) in [
         (&motion.given_peak_acceleration, say!(language, "Peak acceleration, motion given")),
         (&motion.peak_acceleration, say!(language, "Peak acceleration, wave that comes in")),
@@ -41,8 +42,11 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         // Round-off of a component that the record does not have is no motion.
         let all = peaks.iter().filter(|(_, peak)| peak.abs() > 1e-9 * most);
         let all: Vec<String> = all.map(|(axis, peak)| told(source, axis, peak.abs())).collect();
-        if !all.is_empty() {
-            facts.push(card(label, all.join("; "), ""));
+        let text = all.join("; ");
+        // What comes in as it is given is told once.
+        if !text.is_empty() && !peaks_told.contains(&text) {
+            facts.push(card(label, text.clone(), ""));
+            peaks_told.push(text);
         }
     }
     facts

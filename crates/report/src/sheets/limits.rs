@@ -8,7 +8,7 @@ use crate::facts::key_results::largest_displacement;
 use crate::language::say;
 use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
-use crate::section_forces::used::{left, place, shown};
+use crate::section_forces::used::{left, overloaded, place, shown};
 use crate::source::Source;
 use crate::verdict::short_names::percent;
 
@@ -47,9 +47,15 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
         ),
         other => (other.to_owned(), trimmed(&figures(limit, 3)), None),
     };
-    let row = |(name, &limit): (&String, &f64)| {
-        let (name, limit_text, found) = told(name, limit);
+    let row = |(name_of, &limit): (&String, &f64)| {
+        let (name, limit_text, found) = told(name_of, limit);
+        // What cannot crack has no cracked share.
+        let idle = name_of == "damage" && found.is_none() && cannot_crack(summary);
+        // Of several linings the widest crack is none where one of them has no width.
+        let beyond = unknown_crack(summary).filter(|_| name_of == "crack_width");
+        let found = found.filter(|(value, ..)| beyond.is_none() || *value > limit);
         let (class, mark) = match &found {
+            None if idle => ("none", say!(language, "does not apply")),
             None => ("none", say!(language, "not known")),
             // What is no number is beyond every limit.
             Some((value, ..)) if *value <= limit => ("pass", say!(language, "met")),
@@ -57,11 +63,33 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
         };
         let (found, note) = match found {
             Some((_, text, note)) => (text, note),
+            None if beyond.is_some() => {
+                let lining = beyond.map_or("", String::as_str);
+                let note = say!(
+                    language,
+                    "{lining}: loaded beyond its strength, so its bars may have yielded",
+                    lining = lining
+                );
+                (String::new(), note)
+            }
+            None if idle => (String::new(), say!(language, "no material of this run can crack")),
             None => (String::new(), say!(language, "the results do not hold it")),
         };
         LimitRow { name, found, note, limit: format!("≤ {limit_text}"), class, mark }
     };
     summary.case.report.limits.iter().map(row).collect()
+}
+
+/// Whether no material can crack: the results say of none how much of it has.
+fn cannot_crack(summary: &Summary) -> bool {
+    let cracks = |group: &tremolite_results::GroupDamage| group.measures.contains_key("d_tension");
+    !summary.computed.materials.is_empty() && !summary.parts.damage.values().any(cracks)
+}
+
+/// A lining whose width of cracks is asked for, but not known since it was loaded beyond its strength.
+fn unknown_crack(summary: &Summary) -> Option<&String> {
+    let asked = |of: &tremolite_results::SectionStrength| of.crack.as_ref().is_some_and(|c| c.station > 0);
+    summary.parts.sections.iter().find(|(_, of)| asked(of) && overloaded(of)).map(|(name, _)| name)
 }
 
 fn displacement(source: &Source, summary: &Summary) -> Found {
@@ -75,6 +103,10 @@ fn displacement(source: &Source, summary: &Summary) -> Found {
 fn crack(source: &Source, summary: &Summary) -> Found {
     let coded = summary.parts.sections.iter().filter_map(|(name, of)| {
         let crack = of.crack.as_ref().filter(|crack| crack.station > 0)?;
+        // What it leaves of forces beyond the strength is not known to an elastic law.
+        if overloaded(of) {
+            return None;
+        }
         // Where bars yield there is no number.
         let width = if crack.width.is_nan() { f64::INFINITY } else { crack.width };
         let note = say!(source.language, "{lining}, left at the end, by EN 1992-1-1 7.3.4", lining = name);

@@ -10,6 +10,8 @@ use crate::source::Source;
 
 /// Stages that are named; of more their number is told beside the first and the last.
 const NAMED: usize = 4;
+/// Materials that have a line: more would take the sheet's room.
+const MATERIALS: usize = 5;
 /// Parameters of a material that are told.
 const TOLD: [&str; 8] = [
     "young",
@@ -55,14 +57,32 @@ fn sections(language: Language, of: &SectionStrength) -> String {
 pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     let language = source.language;
     let mut facts = Vec::new();
-    for material in materials::tables(language, summary) {
+    let tables = materials::tables(language, summary);
+    // Damping that all share has a line of its own.
+    let shared = tables.first().map(|first| first.damping.to_string());
+    let shared =
+        shared.filter(|damping| tables.len() > 1 && tables.iter().all(|m| m.damping.to_string() == *damping));
+    let more = tables.len().saturating_sub(MATERIALS);
+    for material in tables.iter().take(MATERIALS) {
         let told = material.given.iter().filter(|row| TOLD.contains(&row.name.as_str()));
         let mut parts = vec![material.law.clone()];
         parts.extend(told.map(|row| format!("{} {}", symbol(&row.name), row.value)));
         parts.push(material.density.clone());
         let label = say!(language, "Material {name}", name = material.name);
-        let text = say!(language, "{values}; damping:", values = parts.join(&say!(language, ", ")));
-        facts.push(card(label, text, material.damping.clone()));
+        let values = parts.join(&say!(language, ", "));
+        facts.push(match shared {
+            Some(_) => card(label, values, ""),
+            None => {
+                card(label, say!(language, "{values}; damping:", values = values), material.damping.clone())
+            }
+        });
+    }
+    if more > 0 {
+        let text = say!(language, "{number} more, in the appendix under Materials", number = more);
+        facts.push(card(say!(language, "Materials"), text, ""));
+    }
+    if let (Some(_), Some(first)) = (shared, tables.first()) {
+        facts.push(card(say!(language, "Damping"), String::new(), first.damping.clone()));
     }
     // A line for each way in which linings are judged.
     let mut judged: Vec<(String, Vec<&str>)> = Vec::new();

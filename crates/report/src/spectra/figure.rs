@@ -113,7 +113,14 @@ pub fn figure(
         period: say!(language, "period"),
     };
     let svg = sheet.draw(title);
-    Figure { heading: String::new(), file, svg, caption: String::new(), curves: Some(sheet.curves(title)) }
+    Figure {
+        heading: String::new(),
+        file,
+        svg,
+        caption: String::new(),
+        curves: Some(sheet.curves(title)),
+        narrow: None,
+    }
 }
 
 /// One pair of axes.

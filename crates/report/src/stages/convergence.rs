@@ -236,7 +236,7 @@ fn figure(
         }
     });
     let svg = svg.finish(axes.bottom + 42.0, &heading, &caption);
-    Figure { heading: say!(language, "Convergence"), file, svg, caption, curves: None }
+    Figure { heading: say!(language, "Convergence"), file, svg, caption, curves: None, narrow: None }
 }
 
 /// Both components of each point, by stage.

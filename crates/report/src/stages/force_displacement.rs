@@ -83,6 +83,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         svg,
         caption: caption.trim_end().to_owned(),
         curves: Some(answering),
+        narrow: None,
     };
     let text = say!(
         language,

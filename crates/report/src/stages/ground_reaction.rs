@@ -208,6 +208,7 @@ fn figure(
         svg,
         caption,
         curves: Some(answering),
+        narrow: None,
     })
 }
 

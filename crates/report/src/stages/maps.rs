@@ -76,11 +76,9 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
             missing = true;
             continue;
         };
-        let smooth = file.smooth(&slice, &cut.field);
         let map = Map {
             source,
             cut: &cut,
-            smooth: smooth.as_deref(),
             heading: &heading,
             when: &when,
             title: &title,

@@ -70,7 +70,14 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
     }
     let svg = draw(language, &heading, &panels, &spans, facts);
     let curves = Some(answering(language, &heading, &panels, &spans, facts));
-    let figure = Figure { heading: heading.clone(), file: "relaxation.svg".into(), svg, caption, curves };
+    let figure = Figure {
+        heading: heading.clone(),
+        file: "relaxation.svg".into(),
+        svg,
+        caption,
+        curves,
+        narrow: None,
+    };
     Some(Block { heading, figures: vec![figure], ..Block::default() })
 }
 

@@ -3,7 +3,7 @@
 use tremolite_results::{SectionStrength, Summary};
 
 use crate::language::say;
-use crate::section_forces::used::shown;
+use crate::section_forces::used::{clauses, shown, without_shear};
 use crate::source::Source;
 use crate::verdict::VerdictLine;
 use crate::verdict::short_names::{NAME, short};
@@ -49,6 +49,14 @@ pub fn answer(source: &Source, facts: &Summary) -> Option<(&'static str, String)
                 way = way
             ),
         ),
+        false if most.is_infinite() => (
+            "bad",
+            say!(
+                language,
+                "Its sections do not resist the computed forces: they have no resistance {way}.",
+                way = way
+            ),
+        ),
         false => (
             "bad",
             say!(
@@ -69,18 +77,47 @@ pub fn lines(source: &Source, facts: &Summary) -> Vec<VerdictLine> {
     let told = |used: &Option<tremolite_results::Used>| {
         used.as_ref().map_or_else(|| "–".to_owned(), |used| shown(used.value))
     };
+    let shear = |of: &SectionStrength| {
+        let (value, [_, clause], why) = (told(&of.shear), clauses(of), without_shear(language, of));
+        match (clause.is_empty(), why.is_empty()) {
+            (true, _) => value,
+            (false, true) => say!(language, "{value} in shear ({clause})", value = value, clause = clause),
+            (false, false) => {
+                say!(
+                    language,
+                    "{value} in shear ({clause}: {why})",
+                    value = value,
+                    clause = clause,
+                    why = why
+                )
+            }
+        }
+    };
     let line = |(name, of, most): (&String, &SectionStrength, f64)| VerdictLine {
         class: if most <= 1.0 { "good" } else { "bad" },
-        text: say!(
-            language,
-            "{lining}: utilisation {bending} in thrust and moment, {shear} in shear, by {code}; beyond 1 at {beyond} of {stations} stations.",
-            lining = short(name, NAME),
-            bending = told(&of.bending),
-            shear = told(&of.shear),
-            code = of.code,
-            beyond = of.beyond,
-            stations = of.stations
-        ),
+        text: match clauses(of) {
+            [first, ""] => say!(
+                language,
+                "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), shear has no clause; beyond 1 at {beyond} of {stations} stations.",
+                lining = short(name, NAME),
+                bending = told(&of.bending),
+                first = first,
+                code = of.code,
+                beyond = of.beyond,
+                stations = of.stations
+            ),
+            [first, _] => say!(
+                language,
+                "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), {shear}; beyond 1 at {beyond} of {stations} stations.",
+                lining = short(name, NAME),
+                bending = told(&of.bending),
+                first = first,
+                shear = shear(of),
+                code = of.code,
+                beyond = of.beyond,
+                stations = of.stations
+            ),
+        },
     };
     all.into_iter().take(ALONE).map(line).collect()
 }

@@ -61,15 +61,15 @@ pub fn around(language: Language, facts: &Summary) -> Vec<(Severity, String)> {
             (number(bolts, "bolts"), number(bolts, "yielded"), number(bolts, "broken"))
     {
         let name = short(&bolts.group, NAME);
-        // Bars of a lining whose sections are judged: each row of elements has a chain of them.
-        let bars = facts.parts.sections.get(&bolts.group).is_some_and(|of| of.reinforced > 0);
+        // Of reinforcement each row of elements has a chain: their number says nothing.
+        let bars = facts.parts.bolts.get(&bolts.group).is_some_and(|group| group.bars);
         let text = match (yielded > 0.0, broken > 0.0) {
-            (false, false) if bars => say!(language, "Reinforcement of {name}: no bar yielded.", name = name),
+            (false, false) if bars => say!(language, "Reinforcement {name}: no bar yielded.", name = name),
             (_, false) if bars => {
-                say!(language, "Reinforcement of {name}: bars yielded, none broke.", name = name)
+                say!(language, "Reinforcement {name}: bars yielded, none broke.", name = name)
             }
             (_, true) if bars => {
-                say!(language, "Reinforcement of {name}: bars yielded and broke.", name = name)
+                say!(language, "Reinforcement {name}: bars yielded and broke.", name = name)
             }
             (false, false) => say!(language, "Bolts {name}: none of {all} yielded.", name = name, all = all),
             (_, false) => say!(

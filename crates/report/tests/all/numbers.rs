@@ -111,8 +111,10 @@ fn numbers_of_monitors_checks_and_damage_stand_in_the_files() {
 fn numbers_of_the_two_sheets_stand_in_the_files() {
     let temp = tempfile::tempdir().unwrap();
     sheets::results(temp.path());
-    for language in [Language::English, Language::Chinese] {
+    for (language, clause) in [(Language::English, "(6.1)"), (Language::Chinese, "（6.1）")] {
         let derived = [
+            // Of the code.
+            ("constant", clause),
             // Of all monitors.
             ("over: length of the displacement of B", " | "),
             ("over: largest of monitors", " | "),

@@ -4,7 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use tremolite_report::{Language, write_held, write_in};
-use tremolite_results::{Factors, ResultFolder, SectionStrength, Summary, TargetSpectrum, Used};
+use tremolite_results::{
+    Factors, LastingCrack, ResultFolder, SectionStrength, Summary, TargetSpectrum, Used,
+};
 
 use super::report;
 
@@ -118,8 +120,67 @@ fn limits_of_the_command_stand_in_for_those_of_the_case_and_what_has_no_bound_me
             "{name}"
         );
     }
-    assert!(!found.contains("Crack width") && found.contains("&gt; 100"), "{found}");
+    assert!(!found.contains("Crack width") && found.contains("∞"), "{found}");
     assert!(found.contains("Its sections do not resist the computed forces"));
+}
+
+/// An elastic law does not know what is left of forces beyond the strength: whatever width the clause gives for the end of the run, it
+/// meets no limit.
+#[test]
+fn a_lining_loaded_beyond_its_strength_has_no_crack_width_that_meets_a_limit() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let held = |value: f64, width: f64| {
+        let mut summary = Summary::read(&folder.summary()).unwrap();
+        let crack = LastingCrack { width, station: 3, ..LastingCrack::default() };
+        let section = SectionStrength { crack: Some(crack), ..judged(value) };
+        summary.parts.sections.insert("hall.lining".into(), section);
+        summary.write(&folder.summary()).unwrap();
+        row(&sheets(&folder, Language::English), "Crack width").to_owned()
+    };
+    assert!(held(0.876, 0.0).contains(">met<"));
+    assert!(held(0.876, 4e-4).contains(">not met<"));
+    let beyond = held(1.3, 0.0);
+    assert!(beyond.contains(">not known<") && beyond.contains("loaded beyond its strength"), "{beyond}");
+    // A width that is too large is so whatever the earthquake did.
+    assert!(held(f64::INFINITY, 0.0).contains(">not known<"));
+}
+
+/// By its clause, and why where nothing is borne.
+#[test]
+fn shear_names_its_clause_and_why_nothing_is_borne() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    assert!(sheets(&folder, Language::English).contains("0.432 in shear (6.2.2)"));
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    let mut section = judged(0.876);
+    let shear = section.shear.as_mut().unwrap();
+    (shear.value, shear.forces[0]) = (f64::INFINITY, 2.5e6);
+    summary.parts.sections.insert("hall.lining".into(), section);
+    summary.write(&folder.summary()).unwrap();
+    let found = sheets(&folder, Language::English);
+    assert!(
+        found.contains("∞ in shear (6.2.2: tension of 2500 kN&#x2f;m leaves no resistance to shear)"),
+        "{found}"
+    );
+    assert!(found.contains("they have no resistance in shear"), "{found}");
+}
+
+/// What cannot crack has no cracked share; the sheet says so instead of asking for more results.
+#[test]
+fn the_cracked_share_of_what_cannot_crack_does_not_apply() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.case.report.limits.insert("damage".into(), 0.1);
+    summary.parts.damage.clear();
+    summary.computed.materials.insert("concrete".into(), tremolite_results::MaterialFacts::default());
+    summary.write(&folder.summary()).unwrap();
+    let found = sheets(&folder, Language::English);
+    assert!(row(&found, "Cracked share").contains(">does not apply<"), "{found}");
+    summary.parts.damage.insert("hall.lining".into(), report::cracked());
+    summary.write(&folder.summary()).unwrap();
+    assert!(!row(&sheets(&folder, Language::English), "Cracked share").contains("does not apply"));
 }
 
 #[test]

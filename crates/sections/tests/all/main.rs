@@ -4,6 +4,7 @@ mod border;
 mod crack;
 mod independent;
 mod plain;
+mod published;
 mod shear;
 
 use tremolite_sections::{Code, Grade, Layer, Rule};

@@ -270,6 +270,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let mut problem = Problem::new(mesh, bodies);
     problem.interfaces = interfaces;
     problem.bolts = bolts;
+    let reinforcement = bars.len();
     problem.bolts.extend(bars);
     reinforcement::tell_apart(&mut problem.bolts);
     problem.base = base;
@@ -303,6 +304,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         monitors,
         pairs,
         bolts: at_bolts,
+        bars: reinforcement,
         sections: judged,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };

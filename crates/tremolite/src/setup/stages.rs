@@ -114,7 +114,7 @@ impl Staged {
         bodies.iter().map(keep).collect()
     }
 
-    /// The stages of the plan; none if nothing comes before the earthquake.
+    /// The stages of the plan; none if there are no stages before the earthquake.
     pub fn plan(case: &Case) -> Vec<PlannedStage> {
         if !case.seeks_equilibrium() {
             return Vec::new();

@@ -21,6 +21,7 @@ pub fn bolts(
     let seen = stage.map_or_else(|| vec![Vec::new(); sets.len()], |stage| seen(sets, stage, look));
     let of = |(k, set): (usize, &BoltSet)| {
         let mut told = given(set, plan);
+        told.bars = k + plan.bars >= sets.len();
         told.there = stage.is_some_and(|stage| set.kind.born <= stage);
         let count = |is: fn(&BoltSeen) -> bool| seen[k].iter().filter(|bolt| is(bolt)).count() as u64;
         told.yielded = count(|bolt| bolt.yielded);
@@ -200,6 +201,11 @@ fn headline(group: &BoltSummary) -> Said {
     let (yields, some_yielded, some_broke) = (group.yield_force.is_finite(), yielded > 0, broken > 0);
     let (yielded, broken) = (yielded.to_string(), broken.to_string());
     let lost = match (yields, some_yielded, some_broke) {
+        (true, false, false) if group.bars => said!("no bar yielded"),
+        (true, true, false) if group.bars => said!("bars yielded, none broke"),
+        (true, _, true) if group.bars => said!("bars yielded and broke"),
+        (false, _, false) if group.bars => said!("bars, which never yield"),
+        (false, _, true) if group.bars => said!("bars broke"),
         (true, false, false) if bolts == 1 => said!("its one bolt did not yield"),
         (true, false, false) => said!("none of {bolts} bolts yielded", bolts = all),
         (true, true, false) => {

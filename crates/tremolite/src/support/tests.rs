@@ -67,6 +67,7 @@ pub(crate) fn plan(stages: &[&str]) -> Plan {
         monitors: Vec::new(),
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     }
@@ -135,6 +136,22 @@ fn said(group: BoltSummary) -> (String, String, Severity) {
     assert_eq!(found.id, "bolts_crown");
     assert!(found.numbers.values().all(|x| x.is_finite()));
     (found.headline, found.text, found.severity)
+}
+
+/// Of bars a number would be one of rows of elements, which nobody drew.
+#[test]
+fn of_reinforcement_a_finding_says_whether_bars_yielded_and_not_how_many() {
+    let mut first = [under(1.64e5); 3];
+    let bars = |first| BoltSummary { bars: true, ..told(240, 4e8, first) };
+    assert_eq!(said(bars(first)).0, "no bar yielded; largest force 0.82 of yield");
+    first[1] = SegmentSeen { state: SegmentState::Yielded, plastic_strain: 0.01, ..first[1] };
+    assert!(said(bars(first)).0.starts_with("bars yielded, none broke;"));
+    // The last groups of a plan are its reinforcement.
+    let sets = [set("crown", 3, Stage::Before(1), 4e8), set("rings", 3, Stage::Before(1), 4e8)];
+    let look = |_: usize, _: usize| vec![under(2e4); 3];
+    let plan = Plan { bars: 1, ..plan(&["initial", "bench 1"]) };
+    let all = super::bolts(&sets, &plan, Some(Stage::Shaking), &look, &[]);
+    assert!(!all["crown"].bars && all["rings"].bars);
 }
 
 #[test]

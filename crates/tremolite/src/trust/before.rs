@@ -35,7 +35,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let stages = &evidence.outcome.stages;
     let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
         let why = || match evidence.plan.stages.is_empty() {
-            true => said!("nothing comes before the earthquake"),
+            true => said!("there are no stages before the earthquake"),
             false => said!("no stage came to rest"),
         };
         return vec![
@@ -124,7 +124,7 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
             said!("plastic shear strain at the initial equilibrium, integrated"),
             first.plastic_volume,
             "m3",
-            said!("rock that the initial stress itself brings to yield"),
+            said!("rock that yields under the initial stress alone"),
         ));
         let worst = outcome.stages.iter().map(|stage| stage.ratio).fold(0.0, f64::max);
         facts.push(Fact::new(
@@ -132,7 +132,7 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
             said!("out-of-balance force over all forces, worst stage"),
             worst,
             "",
-            said!("each stage goes on until this is below `initial.tolerance`, and little motion is left"),
+            said!("each stage continues until this is below `initial.tolerance` and little motion remains"),
         ));
     }
     if let Some(Beginning { pairs, beyond, .. }) =
@@ -152,7 +152,7 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
             said!("largest displacement in 100 steps without motion"),
             drift,
             "m",
-            said!("what all parts do at rest is held, so nothing moves but by round-off"),
+            said!("all forces at rest are held, so only round-off moves the model"),
         ));
     }
     facts

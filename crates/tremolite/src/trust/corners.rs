@@ -31,7 +31,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         lines.push(TrustLine::not_applicable(
             ID,
             name(),
-            said!("no concrete drops to a plateau as it cracks"),
+            said!("no concrete has the plateau (evolution = residual)"),
         ));
     }
     lines
@@ -48,7 +48,7 @@ fn line(evidence: &Evidence, body: &Body) -> TrustLine {
     let name = said!("{check}, {body}", check = name(), body = &body.name);
     let line = TrustLine::at_least(id, name, left, LEAST, "");
     let Some(extent) = extent else {
-        return line.with_note(said!("nothing of it has cracked, though a plateau makes corners too weak"));
+        return line.with_note(said!("none of it has cracked; a plateau makes corners too weak"));
     };
     let size = format!("{extent:.3}");
     let line =

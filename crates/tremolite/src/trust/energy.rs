@@ -64,7 +64,7 @@ fn error(evidence: &Evidence) -> TrustLine {
     let unbooked =
         unbooked.map(|body| said!("{law} of {body}", law = body.material.info().name, body = &body.name));
     if !evidence.phase.keeps_books {
-        let why = said!("a law books nothing of what it dissipates: {bodies}", bodies = listed(unbooked));
+        let why = said!("laws that do not record their dissipation: {bodies}", bodies = listed(unbooked));
         return TrustLine::not_applicable(ID, name, why);
     }
     let held = held(evidence);
@@ -87,7 +87,7 @@ fn error(evidence: &Evidence) -> TrustLine {
     let rest = evidence.outcome.state.observers.get(ENERGY_MEMORY).map_or(f64::NAN, |kept| kept[1]);
     let (error, jumps) = (rest + beyond.iter().sum::<f64>(), parted.iter().sum::<f64>());
     if held <= noise(evidence) {
-        let why = said!("nothing moves beyond the round-off of what was stored before");
+        let why = said!("the motion is within the round-off of the energy stored before");
         return TrustLine::not_applicable(ID, name, why);
     }
     TrustLine::at_most(ID, name, error / held, ERROR, "")

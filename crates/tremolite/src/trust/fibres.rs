@@ -17,7 +17,11 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     let name = said!("fibre stress of intact elements over the tensile strength");
     let Evidence { model, outcome, .. } = evidence;
     let Some(kept) = outcome.state.observers.get(Fibres::MEMORY) else {
-        return TrustLine::not_applicable(ID, name, said!("no lining of several points an element cracks"));
+        return TrustLine::not_applicable(
+            ID,
+            name,
+            said!("no lining with several points per element can crack"),
+        );
     };
     let worst = kept.chunks_exact(3).enumerate().max_by(|a, b| a.1[0].total_cmp(&b.1[0]));
     let (used, element, time, body) = match worst {
@@ -26,7 +30,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
             return TrustLine::not_applicable(
                 ID,
                 name,
-                said!("no lining of several points an element cracks"),
+                said!("no lining with several points per element can crack"),
             );
         }
     };

@@ -18,7 +18,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     let name = said!("damping ratio by mass at the motion's central frequency");
     let mass = evidence.model.scheme.rayleigh.mass;
     if mass == 0.0 {
-        return TrustLine::not_applicable(ID, name, said!("nothing is damped in proportion to its mass"));
+        return TrustLine::not_applicable(ID, name, said!("no damping is proportional to mass"));
     }
     let motion = evidence.plan.shaken_by(evidence.model);
     let Some(frequency) = motion.and_then(|motion| tremolite_motion::highest_frequency(motion, 0.5)) else {

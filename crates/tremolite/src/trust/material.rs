@@ -48,10 +48,10 @@ fn broken_monitors(evidence: &Evidence) -> TrustLine {
     let name = said!("monitors on broken elements");
     let (judged, broken) = on_broken_elements(evidence);
     if judged == 0 {
-        return TrustLine::not_applicable(ID, name, said!("no monitor is in a material that cracks"));
+        return TrustLine::not_applicable(ID, name, said!("no monitor is in a material that can crack"));
     }
     let note = if broken.is_empty() {
-        said!("elements whose every point is broken in tension are loose pieces")
+        said!("an element with all points broken in tension is a loose piece")
     } else {
         said!(
             "{monitors}: every point of the element is broken; its displacement is that of a loose piece",
@@ -77,7 +77,7 @@ fn unstressed(model: &Model) -> TrustLine {
     });
     let names: Vec<&str> = bodies.map(|b| b.name.as_str()).collect();
     if names.is_empty() {
-        return TrustLine::not_applicable(ID, name, said!("no rock yields by its pressure"));
+        return TrustLine::not_applicable(ID, name, said!("no rock's strength depends on its pressure"));
     }
     TrustLine::at_most(ID, name, names.len() as f64, 0.0, "").with_note(said!(
         "{names}: strength grows with pressure, and the weight of the ground is not in this run; it yields earlier and further \
@@ -125,7 +125,7 @@ fn crack_energies(model: &Model) -> Vec<TrustLine> {
     }
     if lines.is_empty() {
         let name = said!("implied fracture energy");
-        lines.push(TrustLine::not_applicable(ID, name, said!("no law softens by strain alone")));
+        lines.push(TrustLine::not_applicable(ID, name, said!("no law has a softening in strain alone")));
     }
     lines
 }
@@ -138,7 +138,7 @@ pub(super) fn facts(model: &Model) -> Vec<Fact> {
             let [energy, _] = crack_energy(model, body)?;
             let id = format!("fracture_energy_{}", snake(&body.name));
             let name = said!("fracture energy, {body}", body = &body.name);
-            let note = said!("cracks dissipate it whatever the size of the element");
+            let note = said!("cracks dissipate it in elements of any size");
             Some(Fact::new(id, name, energy, "N/m", note))
         })
         .collect()

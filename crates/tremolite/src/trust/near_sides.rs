@@ -15,7 +15,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     let name = said!("stress change at the model's sides and base over the initial stress");
     let none = |why: Said| TrustLine::not_applicable(ID, name.clone(), why);
     if evidence.near.is_empty() {
-        return none(said!("no side that stands for ground that goes on lies beside an opening"));
+        return none(said!("no opening lies beside a boundary that represents continuing ground"));
     }
     let Some(beside) = Beside::recall(&evidence.outcome.state.observers) else {
         return none(said!("the ground begins without stress"));
@@ -26,7 +26,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     let change = |near: &NearSide| beside.change[near.plane()] / beside.initial;
     let apart = evidence.near.iter().filter(|near| !near.met);
     let Some(worst) = apart.max_by(|a, b| change(a).total_cmp(&change(b))) else {
-        return none(said!("an opening reaches every side that stands for ground that goes on"));
+        return none(said!("an opening reaches every boundary that represents continuing ground"));
     };
     TrustLine::at_most(ID, name, change(worst), CHANGE, "")
         .with("radius", worst.radius)

@@ -50,7 +50,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     }
     let none = |why: Said| TrustLine::not_applicable(ID, name.clone(), why);
     let Some((missed, history, rows, steps)) = worst else {
-        return none(said!("no monitor moves that is not on a broken element"));
+        return none(said!("all monitors that move are on broken elements"));
     };
     TrustLine::at_most(ID, name, missed.max(0.0), MISSED, "")
         .with("rows", rows)

@@ -68,7 +68,7 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
         let none = TrustLine::not_applicable(
             id,
             name,
-            said!("waves at angles come through a free field that is theory itself"),
+            said!("with waves at angles the free field is the theory itself"),
         );
         let Some(seen) = FreeFieldSeen::at_corners(&outcome.state.observers) else {
             return both(said!("no row was written"));
@@ -105,7 +105,7 @@ pub(super) fn record(evidence: &Evidence) -> Option<TrustLine> {
         ("record_at_its_place", said!("computed motion at the record's place against the record"));
     let none = |why: Said| Some(TrustLine::not_applicable(id, name.clone(), why));
     if evidence.plan.recorded.as_ref()?.corner.is_none() {
-        return none(said!("it was taken on other ground than the model's, the layers of motion.site"));
+        return none(said!("it was recorded on the layers of motion.site, not on the model's ground"));
     }
     if recorded::place(evidence.model, evidence.plan).is_none() {
         return none(said!(
@@ -134,7 +134,7 @@ fn against_theory(columns: &[ColumnSeen]) -> TrustLine {
     }
     let elastic: Vec<_> = known.iter().filter(|(column, _)| !column.damaged).collect();
     if elastic.is_empty() {
-        return none(said!("the rock of every column yields or cracks, and theory is elastic"));
+        return none(said!("the rock of every column can yield or crack, and the theory is elastic"));
     }
     let shown = elastic.iter().filter(|(_, theory)| theory.seen >= 0.5 * theory.peak);
     // What is no number is the worst.
@@ -185,7 +185,7 @@ fn against_columns(columns: &[ColumnSeen]) -> TrustLine {
     };
     let moved = columns.iter().filter(|column| column.peak > 0.0);
     let Some(worst) = moved.max_by(|a, b| error(a).total_cmp(&error(b))) else {
-        return TrustLine::not_applicable(id, name, said!("nothing has reached a column of the ground"));
+        return TrustLine::not_applicable(id, name, said!("no wave has reached a column of the ground"));
     };
     let [surface, base] = worst.corners;
     TrustLine::at_most(id, name, error(&worst), CORNERS, "")

@@ -63,6 +63,7 @@ pub fn plan() -> Plan {
         monitors: vec![at("a.b-c", [6.0, 5.0, 8.0]), at("d.ux", [6.0, 5.0, 2.0])],
         pairs: Vec::new(),
         bolts: vec![monitor("B", 6.2, 0), monitor("L", 9.2, 1)],
+        bars: 0,
         relatives: vec![[0, 1]],
         sections: Vec::new(),
     }

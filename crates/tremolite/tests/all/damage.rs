@@ -110,6 +110,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             monitors,
             pairs: Vec::new(),
             bolts: Vec::new(),
+            bars: 0,
             relatives: Vec::new(),
             sections: Vec::new(),
         };

@@ -82,6 +82,7 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
         monitors: heights.iter().map(monitor).collect(),
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     }

@@ -62,6 +62,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
         monitors: Vec::new(),
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

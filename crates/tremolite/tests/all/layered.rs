@@ -309,6 +309,7 @@ fn most_used(quadrature: Quadrature) -> f64 {
         monitors: Vec::new(),
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

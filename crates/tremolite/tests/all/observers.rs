@@ -47,6 +47,7 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
         monitors: monitors.iter().map(monitor).collect(),
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     }

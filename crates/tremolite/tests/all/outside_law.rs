@@ -242,6 +242,7 @@ fn told(problem: Problem) -> Summary {
         monitors: vec![Monitor { name: "slab".into(), point: [6.0, 5.0, 7.0], location }],
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

@@ -181,6 +181,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         monitors: Vec::new(),
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

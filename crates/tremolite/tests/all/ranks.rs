@@ -64,6 +64,7 @@ fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
         pairs: Vec::new(),
         bolts: Vec::new(),
         sections: Vec::new(),
+        bars: 0,
         relatives: vec![[0, 1]],
     }
 }

@@ -128,6 +128,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         monitors: Vec::new(),
         pairs: Vec::new(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

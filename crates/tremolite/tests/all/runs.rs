@@ -42,6 +42,7 @@ fn plan(problem: &Problem) -> Plan {
             .map(|interface| PairMonitor { name: "pair".into(), point: [6.0, 5.0, 6.0], interface })
             .collect(),
         bolts: Vec::new(),
+        bars: 0,
         relatives: vec![[0, 1]],
         sections: Vec::new(),
     }
