@@ -57,7 +57,7 @@ fn cut_of(base: &Mesh, cuts: &[Cut]) -> (Mesh, Done) {
     let mut mesh = base.clone();
     let whole = lined(base);
     let soft: Vec<String> = base.groups.keys().filter(|name| name.contains(".bench")).cloned().collect();
-    let done = super::cut(&mut mesh, cuts, &Bounds { whole: &whole, soft: &soft });
+    let done = super::cut(&mut mesh, cuts, &Bounds { whole: &whole, soft: &soft, free: [false; 2] });
     (mesh, done.unwrap_or_else(|e| panic!("{cuts:?}: {e}")))
 }
 
@@ -172,6 +172,32 @@ fn the_border_is_the_plane_from_side_to_side() {
         let half = summary_of(&mesh, mesh.groups["fault.above"].iter().copied()).volume;
         assert!((half / (30.0 * 4.0 * 40.0) - 1.0).abs() < 1e-12, "{dip}: {half}");
     }
+}
+
+/// The lining's ring goes on as rock beyond the ends of a cavern: it belongs to a side there, so that each region finds its material.
+#[test]
+fn rock_beyond_the_ends_of_a_lined_cavern_belongs_to_a_side() {
+    let mut spec = hall();
+    spec.caverns[0].length = Some(4.0);
+    let base = spec.mesh().unwrap_or_else(|e| panic!("{e}"));
+    let (mesh, _) = cut_of(&base, &[fault([0.5, 0.0, -55.0], 50.0, 90.0)]);
+    let lined: BTreeSet<u32> = lined(&mesh).into_iter().collect();
+    assert_eq!(lined, self::lined(&base).into_iter().collect());
+    let [above, below] = ["fault.above", "fault.below"].map(|g| &mesh.groups[g]);
+    assert_eq!(above.len() + below.len() + lined.len(), mesh.elements.len());
+    assert!(above.iter().all(|e| below.binary_search(e).is_err() && !lined.contains(e)));
+    // There the border leads through the ring, off the plane by no more than it is thick; beside the lining it does not.
+    let plane = Plane::dipping([0.5, 0.0, -55.0], 50_f64.to_radians(), 90_f64.to_radians());
+    let ring = |x: &[f64; 3]| (x[0].abs() - 9.3).abs() < 0.32;
+    let inside = |faces: &[(Vec<[f64; 3]>, f64)], beyond: bool| {
+        let middle = |x: &Vec<[f64; 3]>| -> [f64; 3] {
+            std::array::from_fn(|i| x.iter().map(|p| p[i]).sum::<f64>() / x.len() as f64)
+        };
+        let of = faces.iter().map(|(x, _)| middle(x));
+        of.filter(|x| ring(x) && plane.distance(*x).abs() < 3.0 && (x[1].abs() > 2.0) == beyond).count()
+    };
+    let border = border(&mesh);
+    assert!(inside(&border, true) > 0 && inside(&border, false) == 0);
 }
 
 #[test]
