@@ -180,7 +180,7 @@ impl Case {
                     let of_shaking = |key: &str| key.starts_with("dynamic.") || OF_SHAKING.contains(&key);
                     defaulted.retain(|d| !of_shaking(&d.key));
                 }
-                defaulted.extend(seams::told(&case.ground.planes, &case.materials));
+                defaulted.extend(seams::told(&case.ground.planes));
                 report::find_keys(&case.source, &mut warnings);
                 Ok(Case { warnings, defaulted, ..case })
             }

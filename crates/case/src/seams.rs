@@ -22,12 +22,6 @@ fn values(stand: &Stand) -> Values {
         .with("tensile_strength", stand.tension)
 }
 
-/// A stiffness per area in words.
-fn stiffness(k: f64) -> String {
-    let (scale, unit) = if k >= 1e8 { (1e9, "GPa/m") } else { (1e6, "MPa/m") };
-    format!("{:.4} {unit}", k / scale)
-}
-
 /// The interfaces that stand for seams, in the order of their planes.
 pub(crate) fn interfaces(planes: &[CutPlane], materials: &[Material]) -> Vec<Interface> {
     let one = |plane: &CutPlane| {
@@ -52,41 +46,21 @@ pub(crate) fn interfaces(planes: &[CutPlane], materials: &[Material]) -> Vec<Int
     planes.iter().filter_map(one).collect()
 }
 
-/// What is used for the keys of these interfaces, as for keys that are left out.
-pub(crate) fn told(planes: &[CutPlane], materials: &[Material]) -> Vec<Defaulted> {
-    let mut told = Vec::new();
-    for plane in planes {
-        let Some((seam, stand)) = plane.seam.as_ref().and_then(|s| Some((s, s.stand(materials)?))) else {
-            continue;
-        };
-        let of = format!(
-            "{} of '{}'",
-            units::format(seam.thickness.value, Dimension::LENGTH),
-            seam.material.value
-        );
-        let pressure = |p: f64| units::format(p, Dimension::PRESSURE);
-        for (key, value) in [
-            (
-                "normal_stiffness",
-                format!("{}: E(1 - nu)/((1 + nu)(1 - 2 nu)) over {of}", stiffness(stand.normal)),
-            ),
-            ("shear_stiffness", format!("{}: G over {of}", stiffness(stand.shear))),
-            (
-                "cohesion",
-                format!(
-                    "{}, that of '{}', gone once it breaks",
-                    pressure(stand.cohesion),
-                    seam.material.value
-                ),
-            ),
-            (
-                "friction",
-                format!("{}: tan of the friction angle of '{}'", stand.friction, seam.material.value),
-            ),
-            ("tensile_strength", format!("{}, that of '{}'", pressure(stand.tension), seam.material.value)),
-        ] {
-            told.push(Defaulted { key: format!("interface[{}].{key}", plane.name.value), value });
-        }
-    }
-    told
+/// Where the values of these interfaces come from, as of keys that are left out.
+pub(crate) fn told(planes: &[CutPlane]) -> Vec<Defaulted> {
+    let of_plane = |plane: &CutPlane| {
+        let seam = plane.seam.as_ref()?;
+        let of = format!("'{}'", seam.material.value);
+        let over = format!("over {} of {of}", units::format(seam.thickness.value, Dimension::LENGTH));
+        let told = [
+            ("normal_stiffness", format!("E(1 - nu)/((1 + nu)(1 - 2 nu)) {over}")),
+            ("shear_stiffness", format!("G {over}")),
+            ("cohesion", format!("that of {of}, gone once it breaks")),
+            ("friction", format!("tan of the friction angle of {of}")),
+            ("tensile_strength", format!("that of {of}")),
+        ];
+        let name = &plane.name.value;
+        Some(told.map(|(key, value)| Defaulted { key: format!("interface[{name}].{key}"), value }))
+    };
+    planes.iter().filter_map(of_plane).flatten().collect()
 }

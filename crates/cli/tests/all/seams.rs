@@ -79,6 +79,7 @@ young = {soft}
 poisson = {swelling}
 cohesion = {COHESION}
 friction_angle = "25 deg"
+tensile_strength = 40e3
 density = {DENSITY}
 [[region]]
 groups = ["rock"]
@@ -148,8 +149,9 @@ fn a_thin_seam_slides_where_the_strength_of_its_rock_ends() {
         0.99 * strength * SECTION,
         friction * SECTION
     );
+    // Pairs begin with the mean of the stresses in the middle of the elements beside them, of 0.4 and 0.6 m: 0.05 m of weight off, 1.3·10⁻³.
     assert!((before / (0.99 * strength * SECTION) - 1.0).abs() < 1e-3);
-    assert!((after / (friction * SECTION) - 1.0).abs() < 1e-3, "the bond of c is gone once it slides");
+    assert!((after / (friction * SECTION) - 1.0).abs() < 2e-3, "the bond of c is gone once it slides");
 }
 
 #[test]
@@ -166,7 +168,7 @@ fn seams_are_said_and_what_is_wrong_with_them_is_refused_at_its_line() {
     assert_eq!(code(&output), 0, "{}", errors(&output));
     // M = 1.34615 E for ν = 0.3, over 0.1 m; G = E/2.6.
     for words in
-        ["a seam of clay, 0.1 m thick", "1.346 GPa/m normal", "384.6 MPa/m in shear", "a bond of 20 kPa"]
+        ["a seam of clay, 0.1 m thick", "1.346 GPa/m normal", "0.3846 GPa/m in shear", "a bond of 20 kPa"]
     {
         assert!(said.contains(words), "'{words}' in {said}");
     }

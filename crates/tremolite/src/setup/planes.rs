@@ -18,6 +18,9 @@ use tremolite_mesh::{Element, Mesh};
 const LEAST_STEP: f64 = 0.05;
 /// Smallest share of the step of the mesh without planes that they may leave.
 const LEAST_LEFT: f64 = 0.4;
+/// Share of single elements from which on that is not asked: among others an element has its step or a longer one, the smallest without
+/// planes up to a tenth longer than alone.
+const ALONE: f64 = 0.5;
 const WAY_OUT: &str = "move `through` by half an element, lower `near`, or mesh the ground with the planes in Gmsh and read it as [mesh.file] \
                        (docs/meshes.md)";
 /// Shares of the step and scaled Jacobians below which a cut is warned of.
@@ -52,6 +55,7 @@ pub fn cut_by(
         .collect();
     let (whole, soft) = bounds(source, mesh);
     let before = smallest(mesh, 0..mesh.elements.len() as u32);
+    let uncut = step_of(mesh, &beside(mesh, &[before.1]));
     match cut(mesh, &cuts, &Bounds { whole: &whole, soft: &soft, free }) {
         Ok(done) => {
             problems.extend(planes.iter().filter_map(|plane| too_thick(plane, mesh)));
@@ -69,8 +73,7 @@ pub fn cut_by(
                 ));
                 return None;
             }
-            // The step of a mesh is no shorter than that of the smallest element alone.
-            let together = if share < LEAST_LEFT { step_of(mesh, &done.changed) / before.0 } else { share };
+            let together = if share < ALONE { step_of(mesh, &done.changed) / uncut } else { 1.0 };
             if together < LEAST_LEFT {
                 problems.push(Diagnostic::new(
                     first.span.clone(),
@@ -188,13 +191,22 @@ fn smallest(mesh: &Mesh, elements: impl Iterator<Item = u32>) -> (f64, u32) {
     steps.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).unwrap_or((f64::INFINITY, u32::MAX))
 }
 
-/// The stable step \[s\] of some elements and those beside them together, of the same rock; infinite where they are no model.
+/// Some elements and those that share a node with them.
+fn beside(mesh: &Mesh, elements: &[u32]) -> Vec<u32> {
+    let nodes: BTreeSet<u32> = elements
+        .iter()
+        .filter_map(|&e| mesh.elements.get(e as usize))
+        .flat_map(|e| e.nodes().to_vec())
+        .collect();
+    let touches = |e: &u32| mesh.elements[*e as usize].nodes().iter().any(|n| nodes.contains(n));
+    (0..mesh.elements.len() as u32).filter(touches).collect()
+}
+
+/// The stable step \[s\] of some elements and those beside them together, all of one rock; infinite where they are no model.
 fn step_of(mesh: &Mesh, elements: &[u32]) -> f64 {
-    let nodes: BTreeSet<u32> =
-        elements.iter().flat_map(|&e| mesh.elements[e as usize].nodes().to_vec()).collect();
     let mut number: BTreeMap<u32, u32> = BTreeMap::new();
     let mut part = Mesh::default();
-    for element in mesh.elements.iter().filter(|e| e.nodes().iter().any(|n| nodes.contains(n))) {
+    for element in beside(mesh, elements).into_iter().map(|e| mesh.elements[e as usize]) {
         let mut add = |&n: &u32| {
             *number.entry(n).or_insert_with(|| {
                 part.nodes.push(mesh.nodes[n as usize]);
