@@ -24,6 +24,7 @@ use crate::output::{OUTPUT, Output};
 use crate::page::{Page, REPORT};
 use crate::region::{REGION, Region};
 use crate::reinforcement::{REINFORCEMENT, Reinforcement};
+use crate::seams;
 use crate::section::{SECTION, Section};
 use crate::stage::{STAGE, Stage, Written, in_steps};
 use crate::{Diagnostic, Report, Spanned, report, syntax};
@@ -179,6 +180,7 @@ impl Case {
                     let of_shaking = |key: &str| key.starts_with("dynamic.") || OF_SHAKING.contains(&key);
                     defaulted.retain(|d| !of_shaking(&d.key));
                 }
+                defaulted.extend(seams::told(&case.ground.planes));
                 report::find_keys(&case.source, &mut warnings);
                 Ok(Case { warnings, defaulted, ..case })
             }
@@ -206,8 +208,12 @@ impl Case {
             Some(motion) => Some(Motion::read(motion, initial.gravity.value)?),
             None => None,
         };
-        let interfaces: Vec<Interface> =
+        let ground = case.table("mesh").and_then(Ground::read)?;
+        let materials: Vec<Material> =
+            written.iter().map(|m| Material::read(m, initial.gravity.value)).collect::<Option<_>>()?;
+        let mut interfaces: Vec<Interface> =
             case.tables("interface").map(Interface::read).collect::<Option<_>>()?;
+        interfaces.extend(seams::interfaces(&ground.planes, &materials));
         let names: Vec<&str> = interfaces.iter().map(|i| i.name.value.as_str()).collect();
         let bolts: Vec<&str> =
             stages.iter().flat_map(|stage| &stage.bolts).map(|b| b.name.value.as_str()).collect();
@@ -223,11 +229,8 @@ impl Case {
             title: case.text("title")?,
             bare_si: case.text(UNITS.name).is_some(),
             mesh: case.table("mesh").and_then(Mesh::read)?,
-            ground: case.table("mesh").and_then(Ground::read)?,
-            materials: written
-                .iter()
-                .map(|m| Material::read(m, initial.gravity.value))
-                .collect::<Option<_>>()?,
+            ground,
+            materials,
             regions,
             interfaces,
             initial,

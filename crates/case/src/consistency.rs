@@ -7,7 +7,7 @@ use crate::fields::{Fields, Item, Material};
 use crate::initial::Initial;
 use crate::interface::{self, TIED};
 use crate::material::VOID;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, check_seams};
 use crate::motion::{self, Motion};
 use crate::section::Section;
 use crate::stage::{Stage, Written};
@@ -92,6 +92,13 @@ fn regions(case: &Fields, problems: &mut Vec<Diagnostic>, warnings: &mut Vec<Dia
         problems.push(Diagnostic::at(name, "a stage makes nothing of no material", remedy));
     }
     used.extend(before.into_iter().chain(later));
+    for seam in seams(case).filter_map(|plane| plane.table("seam")?.text("material")) {
+        problems.extend(unknown_material(&seam, materials, ""));
+        used.push(seam);
+    }
+    if let Some(mesh) = case.table("mesh") {
+        warnings.extend(check_seams(mesh, materials, problems));
+    }
     for material in materials {
         if !used.iter().any(|n| n.value == material.name.value) {
             warnings.push(Diagnostic::at(
@@ -159,6 +166,11 @@ fn reference(case: &Fields, written: &Written, problems: &mut Vec<Diagnostic>) {
 
 fn interfaces(case: &Fields, problems: &mut Vec<Diagnostic>) {
     let mut before: Vec<([BTreeSet<String>; 2], String)> = Vec::new();
+    for f in seams(case) {
+        let name = f.text("name").map_or_else(String::new, |n| n.value);
+        let sides = ["above", "below"].map(|side| BTreeSet::from([format!("{name}.{side}")]));
+        before.push((sides, name));
+    }
     for (k, f) in case.tables("interface").enumerate() {
         let Some([first, second]) = interface::sides(f) else { continue };
         for pattern in &second {
@@ -186,8 +198,14 @@ fn interfaces(case: &Fields, problems: &mut Vec<Diagnostic>) {
             None => before.push((sides, name)),
         }
     }
-    let names = case.tables("interface").filter_map(|i| i.text("name")).collect();
+    let names = case.tables("interface").chain(seams(case)).filter_map(|i| i.text("name")).collect();
     unique(names, "interface", "give each interface its own name", problems);
+}
+
+/// The planes of the mesh that have a seam, and so are interfaces.
+fn seams(case: &Fields) -> impl Iterator<Item = &Fields> {
+    let planes = case.table("mesh").into_iter().flat_map(|mesh| mesh.tables("plane"));
+    planes.filter(|plane| plane.table("seam").is_some())
 }
 
 /// `bolts` are the names of bolts, `all_bolts` whether they are those of all.
@@ -253,7 +271,8 @@ fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems:
 
 /// Checks the interfaces that monitors name.
 fn looked_at(case: &Fields, problems: &mut Vec<Diagnostic>) {
-    let (names, all_known) = names(case, "interface");
+    let (mut names, all_known) = names(case, "interface");
+    names.extend(seams(case).filter_map(|plane| plane.text("name")));
     for name in case.tables("monitor").filter_map(|m| m.text("interface")) {
         let named = |i: &&Fields| i.text("name").is_some_and(|n| n.value == name.value);
         match case.tables("interface").find(named) {
@@ -264,7 +283,9 @@ fn looked_at(case: &Fields, problems: &mut Vec<Diagnostic>) {
                     "name an interface with a law, or leave `interface` out",
                 ));
             }
-            None if all_known => problems.push(unknown("interface", &name, &names)),
+            None if all_known && !names.iter().any(|n| n.value == name.value) => {
+                problems.push(unknown("interface", &name, &names));
+            }
             _ => {}
         }
     }

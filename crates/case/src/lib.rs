@@ -47,6 +47,7 @@ mod region;
 mod reinforcement;
 mod report;
 mod schema;
+mod seams;
 mod section;
 mod spanned;
 mod stage;
@@ -68,7 +69,8 @@ pub use listing::{Listed, ListedValue, bolt_keys, interface_keys, mesh_tables};
 pub use material::Material;
 pub use mesh::{
     Axis, Cavern, CavernShape, Caverns, CutPlane, Gallery, Ground, GroundSurface, GroupPlace, HoleLining,
-    Length, Lining, Mesh, MeshBox, MeshFile, MeshPart, PlacedGroup, PlaneAt, RockLayer, Shotcrete,
+    Length, Lining, Mesh, MeshBox, MeshFile, MeshPart, PlacedGroup, PlaneAt, RockLayer, Seam, Shotcrete,
+    Stand,
 };
 pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};

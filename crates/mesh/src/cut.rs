@@ -51,6 +51,9 @@ pub struct Bounds<'a> {
     pub whole: &'a [u32],
     /// Groups whose borders may move where a plane needs it, such as layers and benches.
     pub soft: &'a [String],
+    /// Of the sides normal to x and to y, whether the two need not match: planes that are cut in space keep their place there, where else
+    /// they may bend beside a side so that the opposite one fits.
+    pub free: [bool; 2],
 }
 
 /// What cutting has done.
@@ -118,7 +121,7 @@ pub fn cut(mesh: &mut Mesh, cuts: &[Cut], bounds: &Bounds<'_>) -> Result<Done, C
         let section = Section::of(&work, &whole, bounds.soft, &ways, false);
         let section = section.map_err(|()| CutError::Section { name: first.name.clone() })?;
         for (cut, way) in &flat {
-            let sides = sides::of(&section, &work, cut, way);
+            let sides = sides::of(&section, &work, cut, &whole, way);
             name(&mut work, cut, sides)?;
         }
     }
@@ -128,7 +131,7 @@ pub fn cut(mesh: &mut Mesh, cuts: &[Cut], bounds: &Bounds<'_>) -> Result<Done, C
         ends.flat_map(|cut| ["above", "below"].map(|side| format!("{}.{side}", cut.name))).collect();
     let mut earlier: Vec<Plane> = flat.iter().map(|(cut, _)| cut.plane).collect();
     for cut in others {
-        let made = in_space(&work, cut, bounds.soft, &ending, &earlier)?;
+        let made = in_space(&work, cut, bounds, &ending, &earlier)?;
         whole = made.origin.iter().map(|&e| whole[e as usize]).collect();
         done.moved = done.moved.max(made.moved);
         done.changed.extend(made.changed);
@@ -159,13 +162,13 @@ fn name(mesh: &mut Mesh, cut: &Cut, sides: [Vec<u32>; 2]) -> Result<(), CutError
 fn in_space(
     work: &Mesh,
     cut: &Cut,
-    soft: &[String],
+    bounds: &Bounds<'_>,
     ending: &[String],
     earlier: &[Plane],
 ) -> Result<solid::Made, CutError> {
-    match solid::cut(work, cut, &parts(work, ending), earlier) {
-        Err(CutError::NoWay { .. } | CutError::Poor { .. }) if !soft.is_empty() => {
-            solid::cut(work, cut, &parts(work, &[soft, ending].concat()), earlier)
+    match solid::cut(work, cut, &parts(work, ending), earlier, bounds.free) {
+        Err(CutError::NoWay { .. } | CutError::Poor { .. }) if !bounds.soft.is_empty() => {
+            solid::cut(work, cut, &parts(work, &[bounds.soft, ending].concat()), earlier, bounds.free)
         }
         made => made,
     }

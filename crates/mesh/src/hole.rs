@@ -57,6 +57,9 @@ const ON_PLANE: f64 = 1e-9;
 /// and large against round-off when the two meet in a determinant. An iteration leaves as small a share of the error.
 const REST: f64 = 1e-6;
 const ITERATIONS: usize = 3;
+/// From so many faces of what hangs together is looked whether something of the mesh lies before them, from so far off, over a face's size.
+const LOOKED_FROM: usize = 256;
+const BEFORE: f64 = 1e-3;
 
 impl fmt::Display for CastError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -76,8 +79,8 @@ impl fmt::Display for CastError {
             ),
             Self::NoWall { name, placed: false } => write!(
                 f,
-                "the mesh has no hole that '{name}' could line: all that bounds it are its sides, its base and its ground with what hangs \
-                 together with that; give a `box` round the walls of a hole that reaches the ground"
+                "the mesh has no hole that '{name}' could line: all that bounds it are its sides, its base, what looks outwards as they do, and its \
+                 ground with what hangs together with that; give a `box` round the walls of a hole that reaches the ground"
             ),
             Self::Poor { name, at: x, jacobian } => write!(
                 f,
@@ -159,8 +162,8 @@ impl Bounds {
     }
 }
 
-/// The outer faces of a mesh that are walls of holes, ascending: not on its sides or its base, and not its ground's surface or what hangs
-/// together with that.
+/// The outer faces of a mesh that are walls of holes, ascending: not on its sides or its base, not its ground's surface or what hangs
+/// together with that, and not what looks out of the mesh elsewhere.
 pub fn walls(mesh: &Mesh) -> Vec<Face> {
     wall(mesh, &Bounds::of(mesh), None)
 }
@@ -174,7 +177,7 @@ fn wall(mesh: &Mesh, planes: &Bounds, place: Option<&Place>) -> Vec<Face> {
     });
     match place {
         Some(place) => faces.retain(|&face| place.holds(middle(mesh, face))),
-        None => leave_out_the_ground(mesh, &mut faces),
+        None => leave_out_the_open(mesh, &mut faces),
     }
     faces
 }
@@ -184,8 +187,9 @@ fn middle(mesh: &Mesh, face: Face) -> [f64; 3] {
     std::array::from_fn(|i| mesh.face_nodes(face).map(|n| mesh.nodes[n as usize][i]).sum::<f64>() / count)
 }
 
-/// Drops the faces that hang together with the highest one.
-fn leave_out_the_ground(mesh: &Mesh, faces: &mut Vec<Face>) {
+/// Drops the faces that hang together with the highest one, which is the ground, and those which hang together and look out of the mesh
+/// rather than at one another, as where a corner of the block is cut off.
+fn leave_out_the_open(mesh: &Mesh, faces: &mut Vec<Face>) {
     let mut parent: Vec<u32> = (0..mesh.nodes.len() as u32).collect();
     let first = |face: Face| mesh.face_nodes(face).next().unwrap_or_default();
     for &face in faces.iter() {
@@ -199,7 +203,37 @@ fn leave_out_the_ground(mesh: &Mesh, faces: &mut Vec<Face>) {
     };
     let Some(&highest) = faces.iter().max_by(|a, b| height(a).total_cmp(&height(b))) else { return };
     let ground = root(&mut parent, first(highest));
-    faces.retain(|&face| root(&mut parent, first(face)) != ground);
+    let mut parts: BTreeMap<u32, Vec<Face>> = BTreeMap::new();
+    for &face in faces.iter() {
+        parts.entry(root(&mut parent, first(face))).or_default().push(face);
+    }
+    parts.remove(&ground);
+    if parts.is_empty() {
+        faces.clear();
+        return;
+    }
+    let locator = Locator::new(mesh, None);
+    *faces = parts.into_values().filter(|part| looks_inwards(mesh, &locator, part)).flatten().collect();
+    faces.sort_unstable();
+}
+
+/// Whether half of the area of some faces has something of the mesh before it: then they are walls of a hole.
+fn looks_inwards(mesh: &Mesh, locator: &Locator, faces: &[Face]) -> bool {
+    let (low, high) = mesh.bounds();
+    let far = norm(minus(high, low));
+    let (mut all, mut inwards) = (0.0, 0.0);
+    for &face in faces.iter().step_by(1 + faces.len() / LOOKED_FROM) {
+        let x: Vec<[f64; 3]> = mesh.face_nodes(face).map(|n| mesh.nodes[n as usize]).collect();
+        let twice = cross(minus(x[2], x[0]), minus(x[x.len() - 1], x[1]));
+        let area = norm(twice);
+        let off = |distance: f64| std::array::from_fn(|i| middle(mesh, face)[i] + distance / area * twice[i]);
+        let near = BEFORE * area.sqrt();
+        all += area;
+        if !locator.stretches(off(near), off(far)).is_empty() {
+            inwards += area;
+        }
+    }
+    inwards > 0.5 * all
 }
 
 /// Where each node of the wall goes to \[m\]: least squares of n·d = thickness over the corners of its faces, and nothing across planes

@@ -11,7 +11,8 @@ const THINNEST: f64 = 1e-4;
 /// Shorter \[m\] is no bolt but a point written twice.
 const SHORTEST: f64 = 1e-3;
 
-/// Checks the bolts of all stages; `excavates` says of each stage whether it takes something out. Looks at each value that is
+/// Checks the bolts of all stages; `excavates` says of each stage whether it takes something out: a pattern is laid out on what the last
+/// of them up to its own has laid bare. Looks at each value that is
 /// good, whatever the others are. Returns the names.
 pub(crate) fn check(
     case: &Fields,
@@ -23,11 +24,13 @@ pub(crate) fn check(
         let own = stage.text("name").map_or_else(|| (k + 1).to_string(), |n| n.value);
         for bolts in stage.tables("bolts") {
             names.push(name(bolts, &own));
-            if let (Some(pattern), Some(false)) = (bolts.text("pattern"), excavates.get(k)) {
+            if let Some(pattern) = bolts.text("pattern")
+                && !excavates.iter().take(k + 1).any(|takes| *takes)
+            {
                 problems.push(Diagnostic::at(
                     &pattern,
-                    format!("'{own}' excavates nothing, so it exposes no face for a pattern"),
-                    "place the pattern in the stage that excavates, or give the bolts as `points`",
+                    format!("no stage up to '{own}' excavates anything, so there is no bare face for a pattern"),
+                    "place the pattern in the stage that excavates or a later one, or give the bolts as `points`",
                 ));
             }
             place(bolts, problems);

@@ -6,6 +6,7 @@ mod ground;
 mod lining;
 mod place;
 mod plane;
+mod seam;
 
 use std::path::PathBuf;
 
@@ -19,6 +20,8 @@ pub use ground::Ground;
 pub use lining::HoleLining;
 pub use place::{GroupPlace, PlacedGroup, PlaneAt};
 pub use plane::CutPlane;
+pub(crate) use seam::check as check_seams;
+pub use seam::{Seam, Stand};
 
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table};

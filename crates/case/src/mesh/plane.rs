@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::LENGTH;
 use super::place::{DIPS, PlaneAt, THROUGH, TOWARDS};
+use super::seam::{SEAM, Seam};
 use crate::Spanned;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Table};
@@ -26,6 +27,12 @@ pub(super) static PLANE: Table = Table {
             "",
             "How far it reaches from the point, up and down the dip; left out: through all the ground",
         ),
+        Key::optional(
+            "seam",
+            Kind::Table(&SEAM),
+            "its sides share their nodes unless an [[interface]] parts them",
+            "A thin layer in it, as an interface",
+        ),
     ],
     choice: &[],
 };
@@ -38,6 +45,8 @@ pub struct CutPlane {
     pub plane: PlaneAt,
     /// From the point up and down the dip, m; nothing: through all the ground.
     pub extent: Option<Spanned<f64>>,
+    /// A thin layer in it.
+    pub seam: Option<Seam>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -45,6 +54,10 @@ pub struct CutPlane {
 impl CutPlane {
     pub(super) fn read(f: &Fields) -> Option<Self> {
         let extent = f.number("extent");
-        Some(CutPlane { name: f.text("name")?, plane: PlaneAt::read(f)?, extent, span: f.span.clone() })
+        let seam = match f.table("seam") {
+            Some(seam) => Some(Seam::read(seam)?),
+            None => None,
+        };
+        Some(CutPlane { name: f.text("name")?, plane: PlaneAt::read(f)?, extent, seam, span: f.span.clone() })
     }
 }

@@ -155,7 +155,7 @@ const BAD: &[Bad] = &[
     bad(SPOT, "points = []", "[]", "`points` should be a list", "points = [[["),
     bad(SPOT, "points = [[[0, 0, 0], [0, 0]]]", "[0, 0]]", "a list of 3, each a length, not a list of 2", "points"),
     bad(SPOT, "points = [[[0, 0, 0], [0, 0, \"3 m\"]], [[\"1 m\", \"2 m\", \"3 m\"], [\"1 m\", \"2 m\", \"3 m\"]]]", "[[\"1 m\", \"2 m\", \"3 m\"], [\"1 m\"", "the two points of bolt 2 are one place", "its other end"),
-    bad("name = \"tunnel filled\"", "name = \"tunnel filled\"\nbolts = { pattern = \"crown\", spacing = \"1 m\", length = \"3 m\", diameter = \"25 mm\" }", "\"crown\"", "'tunnel filled' excavates nothing", "give the bolts as `points`"),
+    bad("[[stage]]\nname = \"bench 1", "[[stage]]\nname = \"early\"\nbolts = { pattern = \"crown\", spacing = \"1 m\", length = \"3 m\", diameter = \"25 mm\" }\n[[stage]]\nname = \"bench 1", "\"crown\"", "no stage up to 'early' excavates anything", "give the bolts as `points`"),
     bad("name = \"systematic 1\"", "name = \"spot\"", "\"spot\"", "bolts `spot` is named twice", "its own name"),
     // Steel
     bad("diameter = \"25 mm\"\n", "", "[[stage.bolts]]", "`diameter` is missing", "diameter = \"… mm\""),

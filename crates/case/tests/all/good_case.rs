@@ -26,6 +26,7 @@ fn every_value_arrives_in_si() {
             "mesh.caverns.cavern[transformer].benches",
             "mesh.caverns.cavern[transformer].lining",
             "mesh.caverns.cavern[transformer].shotcrete",
+            "mesh.plane[fault].seam",
             "reinforcement[1].face",
             "reinforcement[1].young",
             "reinforcement[1].yield",

@@ -8,10 +8,17 @@ use super::section::{Section, key};
 use crate::Mesh;
 use crate::places::middle;
 
-/// The elements above and below a plane, whose way is given by pairs of nodes at the first y, ascending; none that are whole. Of a plane
+/// The elements above and below a plane, whose way is given by pairs of nodes at the first y, ascending; none that are `whole`. Of a plane
 /// with an extent those that have a face on it; else what hangs together with these, not through the plane or what is whole, and of
-/// what is left those whose middles lie on the side. So a way that bends into a corner parts what it parts.
-pub(super) fn of(section: &Section, mesh: &Mesh, cut: &Cut, way: &[[u32; 2]]) -> [Vec<u32>; 2] {
+/// what is left those whose middles lie on the side. So a way that bends into a corner parts what it parts. Cells that are whole in a
+/// part of their length alone, as rock beyond the end of a lining, go by their middles there.
+pub(super) fn of(
+    section: &Section,
+    mesh: &Mesh,
+    cut: &Cut,
+    whole: &[bool],
+    way: &[[u32; 2]],
+) -> [Vec<u32>; 2] {
     let point: HashMap<u32, u32> =
         section.columns.iter().zip(0..).map(|(column, p)| (column[0], p)).collect();
     let steps: Vec<[u32; 2]> =
@@ -50,13 +57,13 @@ pub(super) fn of(section: &Section, mesh: &Mesh, cut: &Cut, way: &[[u32; 2]]) ->
         }
     }
     let mut lists = [Vec::new(), Vec::new()];
-    for (cell, side) in section.cells.iter().zip(side).filter(|(cell, _)| !cell.whole) {
+    for (cell, side) in section.cells.iter().zip(side) {
         let side = match (side, cut.extent) {
             (Some(side), _) => side,
             (None, Some(_)) => continue,
             (None, None) => usize::from(cut.plane.distance(middle(mesh, cell.elements[0])) < 0.0),
         };
-        lists[side].extend(&cell.elements);
+        lists[side].extend(cell.elements.iter().filter(|e| !whole[**e as usize]));
     }
     lists.iter_mut().for_each(|list| list.sort_unstable());
     lists

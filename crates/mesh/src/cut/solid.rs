@@ -83,9 +83,15 @@ struct Ground<'a> {
 }
 
 /// Puts a plane into a mesh. `parts` says for each element which part it belongs to: the borders between parts keep their shape, as do the
-/// planes that were put there before.
-pub(super) fn cut(mesh: &Mesh, cut: &Cut, parts: &[u32], earlier: &[Plane]) -> Result<Made, CutError> {
-    let ground = Ground::of(mesh, cut.plane, parts, earlier);
+/// planes that were put there before. Sides of axes that are `free` need not match.
+pub(super) fn cut(
+    mesh: &Mesh,
+    cut: &Cut,
+    parts: &[u32],
+    earlier: &[Plane],
+    free: [bool; 2],
+) -> Result<Made, CutError> {
+    let ground = Ground::of(mesh, cut.plane, parts, earlier, free);
     if ground.crossed.is_empty() {
         return Err(CutError::Misses { name: cut.name.clone() });
     }
@@ -154,14 +160,14 @@ pub(super) fn cut(mesh: &Mesh, cut: &Cut, parts: &[u32], earlier: &[Plane]) -> R
 }
 
 impl<'a> Ground<'a> {
-    fn of(mesh: &'a Mesh, plane: Plane, parts: &[u32], earlier: &[Plane]) -> Ground<'a> {
+    fn of(mesh: &'a Mesh, plane: Plane, parts: &[u32], earlier: &[Plane], free: [bool; 2]) -> Ground<'a> {
         let (low, high) = mesh.bounds();
         let tolerance = 1e-9 * norm(minus(high, low));
         let distance = |n: u32| {
             let off = plane.distance(mesh.nodes[n as usize]);
             if off.abs() < tolerance { 0.0 } else { off }
         };
-        let partners = partners(mesh);
+        let partners = partners(mesh, free);
         let mut near: BTreeSet<u32> = BTreeSet::new();
         let mut opposite: BTreeSet<u32> = BTreeSet::new();
         for (e, element) in (0u32..).zip(&mesh.elements) {
@@ -340,11 +346,11 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// For nodes on sides normal to x and y the node at the same place on the opposite side; none where not all have one.
-fn partners(mesh: &Mesh) -> HashMap<u32, Vec<(u32, usize)>> {
+/// For nodes on sides normal to x and y the node at the same place on the opposite side; none where not all have one, or where sides are free.
+fn partners(mesh: &Mesh, free: [bool; 2]) -> HashMap<u32, Vec<(u32, usize)>> {
     let mut all: HashMap<u32, Vec<(u32, usize)>> = HashMap::new();
     let (low, high) = mesh.bounds();
-    for axis in 0..2 {
+    for axis in (0..2).filter(|&axis| !free[axis]) {
         let tolerance = 1e-9 * (high[axis] - low[axis]);
         let place = |x: [f64; 3]| [1 - axis, 2].map(|i| (x[i] / (1e3 * tolerance)).round() as i64);
         let on = |level: f64| {

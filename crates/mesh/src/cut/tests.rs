@@ -57,7 +57,7 @@ fn cut_of(base: &Mesh, cuts: &[Cut]) -> (Mesh, Done) {
     let mut mesh = base.clone();
     let whole = lined(base);
     let soft: Vec<String> = base.groups.keys().filter(|name| name.contains(".bench")).cloned().collect();
-    let done = super::cut(&mut mesh, cuts, &Bounds { whole: &whole, soft: &soft });
+    let done = super::cut(&mut mesh, cuts, &Bounds { whole: &whole, soft: &soft, free: [false; 2] });
     (mesh, done.unwrap_or_else(|e| panic!("{cuts:?}: {e}")))
 }
 
@@ -172,6 +172,20 @@ fn the_border_is_the_plane_from_side_to_side() {
         let half = summary_of(&mesh, mesh.groups["fault.above"].iter().copied()).volume;
         assert!((half / (30.0 * 4.0 * 40.0) - 1.0).abs() < 1e-12, "{dip}: {half}");
     }
+}
+
+/// The lining's ring goes on as rock beyond the ends of a cavern: it belongs to a side there, so that each region finds its material.
+#[test]
+fn rock_beyond_the_ends_of_a_lined_cavern_belongs_to_a_side() {
+    let mut spec = hall();
+    spec.caverns[0].length = Some(4.0);
+    let base = spec.mesh().unwrap_or_else(|e| panic!("{e}"));
+    let (mesh, _) = cut_of(&base, &[fault([0.5, 0.0, -55.0], 50.0, 90.0)]);
+    let lined: BTreeSet<u32> = lined(&mesh).into_iter().collect();
+    assert_eq!(lined, self::lined(&base).into_iter().collect());
+    let [above, below] = ["fault.above", "fault.below"].map(|g| &mesh.groups[g]);
+    assert_eq!(above.len() + below.len() + lined.len(), mesh.elements.len());
+    assert!(above.iter().all(|e| below.binary_search(e).is_err() && !lined.contains(e)));
 }
 
 #[test]

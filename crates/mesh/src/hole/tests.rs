@@ -212,3 +212,28 @@ fn what_finds_no_room_or_no_wall_is_refused_and_changes_nothing() {
 fn thin_gap() -> Mesh {
     without(&block(), &Place::Box([[-6.0, -4.0, -1.0], [6.0, 4.0, 0.0]]))
 }
+
+/// A corner or an edge that is cut off, below or beside, is the block's outside and no hole; what is dug into its base is one.
+#[test]
+fn chamfers_and_steps_of_the_block_are_no_holes() {
+    let chamfered = |mesh: &Mesh, axis: usize| {
+        let mut mesh = mesh.clone();
+        for x in &mut mesh.nodes {
+            // The lower edge of the side at the highest x, or an upright one, by a slope of one to two.
+            let off = 0.5 * if axis == 0 { -2.0 - x[2] } else { x[1] - 1.0 };
+            x[0] -= off.max(0.0) * (x[0] - 2.0).max(0.0) / 4.0;
+        }
+        mesh
+    };
+    let stepped = without(&block(), &Place::Box([[4.0, -4.0, -5.0], [6.0, 4.0, -3.0]]));
+    for solid in [chamfered(&block(), 0), chamfered(&block(), 1), stepped] {
+        assert_eq!(walls(&solid), []);
+        let refused = cast(&mut solid.clone(), &lining(0.3, 1)).map_err(|e| e.to_string());
+        assert!(refused.as_ref().is_err_and(|e| e.contains("no hole") && e.contains("`box`")), "{refused:?}");
+        // The tunnel beside it is lined as without.
+        let mut mesh = without(&solid, &through());
+        assert!((cast_volume(&mut mesh, &lining(0.3, 1)) - (5.0 * 4.0 - 4.4 * 3.4) * 8.0).abs() < 1e-9);
+    }
+    let dug = without(&block(), &Place::Box([[-1.0, -4.0, -5.0], [1.0, 4.0, -2.0]]));
+    assert_eq!(walls(&dug).len(), 8 * (3 + 3 + 2));
+}

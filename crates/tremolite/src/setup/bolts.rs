@@ -76,8 +76,11 @@ pub fn build(
         let ground = Standing { locator };
         let ends = match &written.place {
             BoltPlace::Pattern(pattern) => {
-                if bare.as_ref().is_none_or(|(of, _)| *of != k) {
-                    bare = Some((k, openings(mesh, staged, k)));
+                // Bolts may follow once a part of the stress has gone: what is bare is what the last excavation made.
+                let made = case.stages.iter().take(k + 1).rposition(|stage| !stage.excavate.is_empty());
+                let made = made.unwrap_or(k);
+                if bare.as_ref().is_none_or(|(of, _)| *of != made) {
+                    bare = Some((made, openings(mesh, staged, made)));
                 }
                 let openings = bare.as_ref().map_or(&[][..], |(_, openings)| openings);
                 let heads = heads_of(&mut systems, pattern);
@@ -168,7 +171,7 @@ fn patterned(
     if laid.bolts.is_empty() {
         let (message, remedy) = if faces == 0 {
             (
-                "no bolts are placed: the stage lays none of these faces bare",
+                "no bolts are placed: none of these faces are laid bare by the stage, or by the last one before it that excavates",
                 "name in `on` what it excavates, or leave it out",
             )
         } else if laid.along > 0 {
@@ -178,7 +181,7 @@ fn patterned(
             )
         } else {
             (
-                "no bolts are placed: what the stage lays bare does not look that way, or is bolted",
+                "no bolts are placed: what is laid bare does not look that way, or is bolted",
                 "take another pattern, or a smaller spacing",
             )
         };

@@ -25,17 +25,18 @@ pub struct Built {
 }
 
 /// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems. Paths
-/// of mesh files start from `directory`; what is `held` in memory is not looked for there.
+/// of mesh files start from `directory`; what is `held` in memory is not looked for there. Sides that are `free` need not match one another.
 pub fn build(
     mesh: &case::Mesh,
     ground: &case::Ground,
+    free: [bool; 2],
     directory: &Path,
     held: &Inputs,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<Built> {
     let before = problems.len();
     let mut built = made(mesh, directory, held, problems)?;
-    let cut = planes::cut_by(mesh, &ground.planes, &mut built.mesh, problems);
+    let cut = planes::cut_by(mesh, &ground.planes, free, &mut built.mesh, problems);
     if problems.len() > before {
         return None;
     }
@@ -283,7 +284,15 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
             let alone = alone.unwrap_or_else(|e| panic!("{e}")).expect("it has no other table");
             let mut problems = Vec::new();
             assert!(
-                build(&alone.mesh, &alone.ground, Path::new(""), &Inputs::default(), &mut problems).is_none()
+                build(
+                    &alone.mesh,
+                    &alone.ground,
+                    [false; 2],
+                    Path::new(""),
+                    &Inputs::default(),
+                    &mut problems
+                )
+                .is_none()
             );
             let [problem] = &problems[..] else { panic!("{problems:?}") };
             assert!(source[problem.span.clone()].starts_with(marked), "{}", &source[problem.span.clone()]);

@@ -76,7 +76,7 @@ pub fn mesh_of(
     held: &Inputs,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Diagnostic>), Vec<case::Diagnostic>> {
     let mut problems = Vec::new();
-    let built = mesh::build(mesh, ground, directory, held, &mut problems);
+    let built = mesh::build(mesh, ground, [false; 2], directory, held, &mut problems);
     let Some(mesh::Built { mesh, mut warnings, doubled, .. }) = built else {
         return Err(problems);
     };
@@ -158,7 +158,8 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
 pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
     let motion = motion::build(case, held, &mut problems);
-    let mesh = mesh::build(&case.mesh, &case.ground, case.directory(), held, &mut problems);
+    let free = case.dynamic.sides.each_ref().map(|side| side.value != case::Side::Periodic);
+    let mesh = mesh::build(&case.mesh, &case.ground, free, case.directory(), held, &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some(mesh::Built { mut mesh, mut warnings, doubled, taken }) = mesh else {

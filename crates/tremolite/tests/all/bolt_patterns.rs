@@ -134,6 +134,27 @@ fn a_systematic_pattern_places_area_over_spacings_in_every_bench_at_its_places()
 }
 
 #[test]
+fn bolts_that_follow_in_a_later_stage_lie_on_what_the_last_excavation_laid_bare() {
+    let mesh = block([0.0, 30.0], None);
+    let bolts = pattern("systematic", "[1.5, 1.25]");
+    let (at_once, _) = placed(&mesh, &stages(&BENCHES[..2], &bolts));
+    let later: String = BENCHES[..2]
+        .iter()
+        .map(|bench| {
+            let excavated =
+                format!("[[stage]]\nname = \"{bench}\"\nexcavate = [\"{bench}\"]\nrelease = 0.7\n");
+            format!("{excavated}[[stage]]\nname = \"bolts of {bench}\"\n{bolts}\n")
+        })
+        .collect();
+    let (later, warnings) = placed(&mesh, &later);
+    assert_eq!(later.iter().map(|b| b.born).collect::<Vec<_>>(), [2, 4].map(Stage::Before));
+    for (later, at_once) in later.iter().zip(&at_once) {
+        assert_eq!(ends(later), ends(at_once));
+    }
+    assert!(!warnings.contains("bolts are placed"), "{warnings}");
+}
+
+#[test]
 fn crown_and_walls_share_the_faces_of_a_systematic_pattern_and_floors_have_none() {
     let mesh = block([0.0, 30.0], None);
     let count = |word: &str| {
@@ -297,8 +318,9 @@ fn groups_on_either_side_choose_the_faces() {
     let (bolts, warnings) = placed(&mesh, &text);
     assert_eq!(bolts[0].bars.len(), 0, "it stays among the bolts, so that their order is the case's");
     assert!(
-        warnings
-            .contains("'walls of hall.bench1': no bolts are placed: the stage lays none of these faces bare"),
+        warnings.contains(
+            "'walls of hall.bench1': no bolts are placed: none of these faces are laid bare by the stage"
+        ),
         "{warnings}"
     );
 }

@@ -223,6 +223,23 @@ fn print_interfaces(checked: &Checked) {
             stiffness(interface.normal_stiffness),
             rounded(1e3 * interface.closure_at_1_mpa)
         ));
+        let case = &checked.job.case;
+        let plane = case.ground.planes.iter().find(|plane| plane.name.value == *name);
+        if let Some((seam, stand)) =
+            plane.and_then(|p| Some((p.seam.as_ref()?, p.seam.as_ref()?.stand(&case.materials)?)))
+        {
+            print(&format!(
+                "             a seam of {}, {} thick, less than half an element: {} normal to it, E(1 - nu)/((1 + nu)(1 - 2 nu)) over its thickness, \
+                 {} in shear, G over it; of its rock a bond of {}, gone once it breaks, {} in tension, friction {}",
+                seam.material.value,
+                units::format(seam.thickness.value, Dimension::LENGTH),
+                stiffness(stand.normal),
+                stiffness(stand.shear),
+                pressure(stand.cohesion),
+                pressure(stand.tension),
+                rounded(stand.friction)
+            ));
+        }
     }
 }
 
