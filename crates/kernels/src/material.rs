@@ -34,6 +34,8 @@ pub trait AnyMaterial: Send + Sync {
     fn compressive_strength(&self) -> Option<f64>;
     /// See [`Material::tension_use`]; `history` is that of a point.
     fn tension_use(&self, stress: &[f64; 6], beside: &[f64; 6], history: &[f64]) -> Option<f64>;
+    /// See [`Material::uses_at_most`].
+    fn uses_at_most(&self, stress: &[f64; 6], share: f64) -> bool;
     /// The Maxwell bodies beside the law, if there are any.
     fn band(&self) -> Option<Band>;
     /// See [`Material::warnings`].
@@ -121,6 +123,10 @@ impl<M: Material> AnyMaterial for Instance<M> {
         let mut own = tremolite_laws::virgin::<M>();
         own.as_mut().copy_from_slice(history);
         self.law.tension_use(stress, beside, &own)
+    }
+
+    fn uses_at_most(&self, stress: &[f64; 6], share: f64) -> bool {
+        self.law.uses_at_most(stress, share)
     }
 
     fn band(&self) -> Option<Band> {

@@ -277,6 +277,12 @@ pub trait Material: Send + Sync + Sized + 'static {
         None
     }
 
+    /// Whether at a stress \[Pa\] surely no more than `share` of the tensile strength is used ([`Material::tension_use`]), at whatever rate:
+    /// a quick test, which may say no where that is so.
+    fn uses_at_most(&self, _stress: &Sym<f64>, _share: f64) -> bool {
+        false
+    }
+
     /// The constants that the law works with beside its parameters, for people to check; `extents` \[m\] are the
     /// shortest and the longest of the elements.
     fn derived(&self, _extents: [f64; 2]) -> Vec<Derived> {

@@ -41,9 +41,31 @@ pub fn principal_values(t: &[f64; 6]) -> [f64; 3] {
     values
 }
 
+/// Whether all principal values surely lie below `most`, by more than the round-off of [`principal_values`]: a tenth of its cost. May say
+/// no within 10⁻¹² of the largest component; says no where anything is not a number.
+///
+/// `most` I − t is positive definite where all pivots of its LDLᵀ are positive; what rounding then hides is a few ε of its largest
+/// component (Golub & Van Loan 2013, section 4.2).
+pub fn below(t: &[f64; 6], most: f64) -> bool {
+    let [xx, yy, zz, xy, yz, zx] = *t;
+    let size = t.iter().fold(most.abs(), |size, x| size.max(x.abs()));
+    let most = most - 1e-12 * size;
+    let first = most - xx;
+    let (l, m) = (xy / first, zx / first);
+    let second = (most - yy) - l * xy;
+    let mixed = yz + l * zx;
+    let third = (most - zz) - m * zx - mixed * (mixed / second);
+    first > 0.0 && second > 0.0 && third > 0.0
+}
+
+/// Whether all principal values surely lie above `least`, as [`below`].
+pub fn above(t: &[f64; 6], least: f64) -> bool {
+    below(&t.map(|x| -x), -least)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::principal_values;
+    use super::{above, below, principal_values};
 
     #[test]
     fn principal_values_of_known_tensors() {
@@ -81,5 +103,40 @@ mod tests {
                 assert!((a * b * c - det).abs() < 1e-14);
             }
         }
+    }
+
+    /// Never yes where a value is beyond, at the value itself or an ulp off it, equal values and large means included; always yes where
+    /// all are clear of it.
+    #[test]
+    fn values_are_said_to_lie_below_and_above_just_where_they_do() {
+        let mut seed = 7u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        for scale in [1e-250, 1e-9, 1.0, 1e7, 1e150] {
+            for case in 0..3000 {
+                let spread = [1.0, 1e-6, 1e-15, 0.0][case % 4];
+                let mean = if case % 3 == 0 { 0.0 } else { scale * random() };
+                let shear = if case % 5 == 0 { 0.0 } else { spread };
+                let t = [0, 1, 2, 3, 4, 5].map(|c| {
+                    scale * random() * if c < 3 { spread } else { shear } + if c < 3 { mean } else { 0.0 }
+                });
+                let values = principal_values(&t);
+                let size = t.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+                for off in [0.0, 1e-16, 1e-14] {
+                    assert!(!below(&t, values[0] - off * size), "{t:?}");
+                    assert!(!above(&t, values[2] + off * size), "{t:?}");
+                }
+                if size > 0.0 {
+                    assert!(below(&t, values[0] + 1e-11 * size), "{t:?}");
+                    assert!(above(&t, values[2] - 1e-11 * size), "{t:?}");
+                }
+            }
+        }
+        let unknown = [0.0, f64::NAN, 0.0, 0.0, 0.0, 0.0];
+        assert!(!below(&unknown, 1.0) && !above(&unknown, -1.0));
+        assert!(!below(&[0.0; 6], f64::NEG_INFINITY) && !above(&[0.0; 6], f64::INFINITY));
+        assert!(!below(&[f64::NEG_INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0], 1.0));
     }
 }

@@ -4,10 +4,17 @@
 //! observed sees those of its displacements.
 
 use crate::quantities::MEASURES;
+use std::collections::BTreeSet;
 use tremolite_engine::assembly::Assembly;
-use tremolite_engine::phase::ElementSlot;
+use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column, Octet, Role};
+
+/// Members that elements of the mesh are in, in a phase.
+pub fn of_elements(phase: &Phase) -> Vec<u32> {
+    let members: BTreeSet<u32> = phase.element_slot.iter().flatten().map(|slot| slot.member).collect();
+    members.into_iter().collect()
+}
 
 /// The histories of all parts at one time.
 #[derive(Clone, Copy)]
@@ -39,6 +46,42 @@ impl<'a> History<'a> {
             self.with_role(slot, measure.role)
                 .is_some_and(|at| self.values(slot, at).any(|value| value > measure.onset))
         })
+    }
+
+    /// By element, in the order of members, whether a column of this meaning lies beyond a value at any point: of these members.
+    pub fn beyond(&self, members: &[u32], role: Role, value: f64) -> Vec<bool> {
+        let mut marks = vec![false; self.assembly.totals().elements.end];
+        self.mark_beyond(members, role, value, &mut marks);
+        marks
+    }
+
+    /// Whether any point of an element of these members has cracked or yielded ([`History::is_damaged`]), by element.
+    pub fn damaged(&self, members: &[u32]) -> Vec<bool> {
+        let mut marks = vec![false; self.assembly.totals().elements.end];
+        MEASURES
+            .iter()
+            .for_each(|measure| self.mark_beyond(members, measure.role, measure.onset, &mut marks));
+        marks
+    }
+
+    /// Marks elements as [`History::beyond`]: eight at a time, as they lie.
+    fn mark_beyond(&self, members: &[u32], role: Role, value: f64, marks: &mut [bool]) {
+        for &member in members {
+            let columns = self.assembly.members[member as usize].part.columns();
+            let Some(column) = position(columns, role) else { continue };
+            let slices = &self.assembly.slices[member as usize];
+            let own = &mut marks[slices.elements.clone()];
+            let points = slices.points.len() / own.len().max(1);
+            let octets = &self.octets[slices.history.clone()];
+            for (marks, octets) in own.chunks_mut(8).zip(octets.chunks_exact((points * columns.len()).max(1)))
+            {
+                let mut any = [false; 8];
+                for octet in octets[column..].iter().step_by(columns.len()) {
+                    any.iter_mut().zip(&octet.0).for_each(|(any, x)| *any |= *x > value);
+                }
+                marks.iter_mut().zip(any).for_each(|(mark, any)| *mark |= any);
+            }
+        }
     }
 
     /// Where all columns of an element lie: an octet, and its place there.

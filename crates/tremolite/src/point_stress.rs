@@ -1,7 +1,8 @@
 //! One value for an element, or for a place in it, from those of its points.
 
-use tremolite_laws::shapes::hex8::{Points, Quadrature};
-use tremolite_laws::sym3::principal_values;
+use std::sync::LazyLock;
+use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};
+use tremolite_laws::sym3::{above, below, principal_values};
 
 /// Largest and smallest principal stress over some points.
 pub fn extremes(points: &[[f64; 6]]) -> [f64; 2] {
@@ -14,11 +15,34 @@ pub fn extremes(points: &[[f64; 6]]) -> [f64; 2] {
 /// The same at the fibre: of an intact element with several points at its corners, which lie where a bent lining is stressed
 /// most; of others over the points.
 pub fn fibre_extremes(places: &Points, points: &[[f64; 6]], damaged: bool) -> [f64; 2] {
-    if points.len() < 8 || damaged {
-        return extremes(points);
+    match at_fibres(places, points, damaged) {
+        Some(corners) => extremes(&corners),
+        None => extremes(points),
     }
-    let corner = |k: usize| [0, 1, 2].map(|axis| if k >> axis & 1 == 1 { 1.0 } else { -1.0 });
-    extremes(&[0, 1, 2, 3, 4, 5, 6, 7].map(|k| stress_at(places, points, corner(k))))
+}
+
+/// The same where they may lie beyond what was seen before, largest and smallest; none where they surely do not. Principal values are found
+/// of few elements then: most of a run is within what was seen.
+pub fn extremes_beyond(
+    places: &Points,
+    points: &[[f64; 6]],
+    damaged: bool,
+    [most, least]: [f64; 2],
+) -> Option<[f64; 2]> {
+    let within = |stress: &[f64; 6]| below(stress, most) && above(stress, least);
+    match at_fibres(places, points, damaged) {
+        Some(corners) => (!corners.iter().all(within)).then(|| extremes(&corners)),
+        None => (!points.iter().all(within)).then(|| extremes(points)),
+    }
+}
+
+/// Stresses at the corners of an intact element with several points.
+fn at_fibres(places: &Points, points: &[[f64; 6]], damaged: bool) -> Option<[[f64; 6]; 8]> {
+    let several = points.len() >= 8 && !damaged;
+    several.then(|| {
+        let corners = Weights::at_corners(places);
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|k| corners[k].stress(points))
+    })
 }
 
 /// Mean stress over an element, of its points.
@@ -55,26 +79,63 @@ pub fn nearest_stress(places: &Points, points: &[[f64; 6]], natural: [f64; 3]) -
 /// Stress at natural coordinates of an element as long as it is elastic: of its one point, or trilinear through the eight of its
 /// points that lie farthest from each other.
 pub fn stress_at(places: &Points, points: &[[f64; 6]], natural: [f64; 3]) -> [f64; 6] {
-    let last = match places.quadrature {
-        Quadrature::OnePoint => return mean(places, points),
-        Quadrature::Full => 4,
-        Quadrature::Layered(_) => points.len() - 4,
-    };
-    let mut out = [0.0; 6];
-    for p in (0..4).chain(last..last + 4) {
-        let at = places.natural(p);
-        let weight: f64 = (0..3).map(|axis| 0.5 * (1.0 + natural[axis] / at[axis])).product();
-        for c in 0..6 {
-            out[c] += weight * points[p][c];
-        }
+    match places.quadrature {
+        Quadrature::OnePoint => mean(places, points),
+        _ => Weights::at(places, natural).stress(points),
     }
-    out
+}
+
+/// How the stress at a place of an elastic element follows from its points, worked out once for many times.
+#[derive(Clone, Copy, Debug)]
+pub struct Weights {
+    /// Of the first four points and the last four.
+    weights: [f64; 8],
+}
+
+impl Weights {
+    /// At natural coordinates of an element of several points.
+    pub fn at(places: &Points, natural: [f64; 3]) -> Self {
+        let last = places.count().saturating_sub(4);
+        let weight = |k: usize| {
+            let at = places.natural(if k < 4 { k } else { last + k - 4 });
+            (0..3).map(|axis| 0.5 * (1.0 + natural[axis] / at[axis])).product()
+        };
+        Weights { weights: std::array::from_fn(weight) }
+    }
+
+    /// At the corners, by binary number: bit 0 is ξ.
+    fn at_corners(places: &Points) -> &'static [Weights; 8] {
+        const CORNERS: [usize; 8] = [0, 1, 2, 3, 4, 5, 6, 7];
+        static ALL: LazyLock<Vec<(Points, [Weights; 8])>> = LazyLock::new(|| {
+            let layered = Layers::ALL.map(Quadrature::Layered);
+            let kinds = std::iter::once(Quadrature::Full).chain(layered);
+            let all = kinds.flat_map(|quadrature| [0, 1, 2].map(|axis| Points { quadrature, axis }));
+            let corner = |k: usize| [0, 1, 2].map(|axis| if k >> axis & 1 == 1 { 1.0 } else { -1.0 });
+            all.map(|places| (places, CORNERS.map(|k| Weights::at(&places, corner(k))))).collect()
+        });
+        let known = ALL.iter().position(|(known, _)| known == places);
+        &ALL[known.unwrap_or(0)].1
+    }
+
+    /// The stress there, of those at the element's points.
+    ///
+    /// # Panics
+    /// If there are fewer than eight.
+    pub fn stress(&self, points: &[[f64; 6]]) -> [f64; 6] {
+        let mut out = [0.0; 6];
+        let (first, last) = (&points[..4], &points[points.len() - 4..]);
+        for (point, weight) in first.iter().chain(last).zip(self.weights) {
+            for c in 0..6 {
+                out[c] += weight * point[c];
+            }
+        }
+        out
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tremolite_laws::shapes::hex8::Layers;
 
     const ONE: Points = Points { quadrature: Quadrature::OnePoint, axis: 0 };
     const FULL: Points = Points { quadrature: Quadrature::Full, axis: 0 };
@@ -140,5 +201,38 @@ mod tests {
             nearest[axis] = 0.25;
             assert!((nearest_stress(&places, &points, natural)[0] - field(nearest)).abs() < 1e-12);
         }
+    }
+
+    /// Elements of every quadrature, intact and damaged, as they are stressed more and less: what is said to be beyond is what the extremes
+    /// say, to the bit, and what is not lies within.
+    #[test]
+    fn extremes_beyond_what_was_seen_are_those_of_all() {
+        let mut seed = 5u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        let mut spared = 0;
+        for axis in 0..3 {
+            for places in [ONE, FULL, layered(axis)] {
+                for damaged in [false, true] {
+                    let mut seen = [f64::NEG_INFINITY, f64::INFINITY];
+                    for _ in 0..200 {
+                        let points: Vec<[f64; 6]> =
+                            (0..places.count()).map(|_| [0; 6].map(|_| 1e6 * random())).collect();
+                        let all = fibre_extremes(&places, &points, damaged);
+                        let beyond = extremes_beyond(&places, &points, damaged, seen);
+                        if let Some(beyond) = beyond {
+                            assert_eq!(beyond, all);
+                        } else {
+                            assert!(all[0] <= seen[0] && all[1] >= seen[1], "{all:?} {seen:?}");
+                            spared += 1;
+                        }
+                        seen = [seen[0].max(all[0]), seen[1].min(all[1])];
+                    }
+                }
+            }
+        }
+        assert!(spared > 3 * 2 * 3 * 100, "{spared}");
     }
 }

@@ -2,6 +2,7 @@
 
 mod ends;
 mod integration;
+mod levers;
 mod ordered;
 mod steel;
 #[cfg(test)]
@@ -10,6 +11,7 @@ mod tests;
 use crate::stacks::{Stack, stacks};
 use ends::intrados_first;
 pub use integration::Integration;
+pub use levers::Levers;
 use ordered::{Ordered, cross, dot, minus, scaled};
 use std::ops::Range;
 pub use steel::Steel;
@@ -150,26 +152,8 @@ pub fn forces<'a>(
     station: &Station,
     points: impl Fn(u32) -> Option<(Points, &'a [[f64; 6]])>,
 ) -> [f64; 3] {
-    let mut sums = [0.0; 3];
-    for &(element, axis) in &station.stack {
-        let Some((places, stresses)) = points(element) else { continue };
-        let [near, far] = [0, 1].map(|end| ordered::centre(&ordered::face(mesh, element, axis, end)));
-        let height = dot(minus(far, near), station.normal).abs();
-        for (p, (stress, share)) in stresses.iter().zip(places.quadrature.shares()).enumerate() {
-            let traction = traction(stress, station.along);
-            let direct = dot(traction, station.along) * share * height;
-            sums[0] += direct;
-            let at = place(mesh, element, places.natural(p));
-            sums[1] += direct * dot(minus(at, station.place), station.normal);
-            sums[2] += dot(traction, station.normal) * share * height;
-        }
-    }
-    sums
-}
-
-/// Stress times a unit vector.
-fn traction([xx, yy, zz, xy, yz, zx]: &[f64; 6], t: [f64; 3]) -> [f64; 3] {
-    [dot([*xx, *xy, *zx], t), dot([*xy, *yy, *yz], t), dot([*zx, *yz, *zz], t)]
+    let levers = Levers::of(mesh, station, |element| points(element).map(|(places, _)| places));
+    levers.forces(station, |element| points(element).map(|(_, stresses)| stresses))
 }
 
 /// Where natural coordinates of a hexahedron are \[m\].

@@ -3,8 +3,8 @@
 //! Parts and blocks of nodes keep their own books, which are added by a fixed tree when somebody looks.
 
 use super::evaluation::{Forces, Probed};
-use super::nodes::Measured;
-use super::{BodyBooks, Engine, Snapshot, nodes};
+use super::measure::{Measured, measure};
+use super::{BodyBooks, Engine, Snapshot};
 use crate::parts::{ElementEnergy, Kept, Motion};
 use crate::ranks::Tree;
 use crate::state::{Ledger, OF_NODES, State};
@@ -160,7 +160,7 @@ impl Engine {
     pub(super) fn snapshot(&self, state: &State, kept: Kept, probed: Probed) -> Snapshot {
         let Forces { contributions, rates, works, .. } = &self.forces;
         let Measured { energies, books, velocity, acceleration } =
-            nodes::measure(&self.model, &self.phase, contributions, &rates.products, state);
+            measure(&self.model, &self.phase, contributions, &rates.products, state);
         let [kinetic, scheme] = self.of_blocks(energies);
         let ledger = &state.ledger;
         let before = self.booked_before(ledger);

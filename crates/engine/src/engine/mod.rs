@@ -42,6 +42,7 @@ mod gather;
 mod guard;
 mod hand_over;
 mod highest;
+mod measure;
 mod node_step;
 mod nodes;
 mod power;

@@ -106,6 +106,25 @@ pub(super) fn node_step(
     step
 }
 
+/// The same, to the bit, of a node without dashpots where ξ = 0: all components side by side.
+#[inline(always)]
+pub(super) fn free_node_step(damping: &Damping, phase: &Phase, node: usize, force: Row, du: Row) -> NodeStep {
+    let (inverse, mass) = (&phase.inverse_mass[node], phase.mass[node]);
+    let Damping { dt, mass_proportional: omega, .. } = *damping;
+    let mut step = NodeStep::default();
+    for i in 0..3 {
+        let minus = du.0[i] / dt;
+        let pushed = -force.0[i] * inverse.0[i];
+        let hat = minus + 0.5 * dt * (pushed - omega * minus);
+        let mean = minus + 0.5 * dt * (pushed - omega * hat);
+        step.velocity.0[i] = hat;
+        step.mean.0[i] = mean;
+        step.acceleration.0[i] = 2.0 * (mean - minus) / dt;
+        step.rayleigh.0[i] = omega * mass * hat;
+    }
+    step
+}
+
 /// ½(v⁻ + v⁺) of a node whose dashpots act on that very mean, as lumped dashpots can at no cost: with
 /// v⁺ = v⁻ + Δt (a − M⁻¹(D ½(v⁻ + v⁺) − g)) it solves (I + ½Δt M⁻¹D)(v̄ − v⁻) = ½Δt (a − M⁻¹(D v⁻ − g)), where g is what
 /// leaders pull with.

@@ -1,7 +1,7 @@
 //! The passes over nodes: contributions to forces, forces to motion.
 
 use super::accounts::Accounts;
-use super::gather::{dot, force, net};
+use super::gather::{dot, expect, force, net};
 use super::node_step::{Damping, Dashpots, Lead, NodeStep, Products, damping, node_step};
 use super::split::split;
 use crate::free_field::Leader;
@@ -18,25 +18,25 @@ use tremolite_laws::{Isa, Row};
 /// Work against the dampings of a block's nodes over the half-steps that meet at u^n \[J\], and of the dashpots of free-field sides
 /// on them, and what is taken where levels of steps meet; only the first half when measuring.
 #[derive(Default)]
-struct Damped {
+pub(super) struct Damped {
     rayleigh: f64,
     base: f64,
     sides: f64,
     free_field: f64,
-    levels: f64,
+    pub levels: f64,
 }
 
 impl Damped {
     /// Books the work of a node's dampings over an increment.
     #[inline(always)]
-    fn book(&mut self, step: &NodeStep, du: Row) {
+    pub fn book(&mut self, step: &NodeStep, du: Row) {
         self.rayleigh += 0.5 * dot(step.rayleigh, du);
         self.base += 0.5 * dot(step.base, du);
         self.sides += 0.5 * dot(step.sides, du);
         self.free_field += 0.5 * dot(step.free_field, du);
     }
 
-    fn onto(self, books: &mut [f64]) {
+    pub fn onto(self, books: &mut [f64]) {
         let all = [self.rayleigh, self.base, self.sides, self.free_field, self.levels];
         for (book, more) in books.iter_mut().zip(all) {
             *book += more;
@@ -48,7 +48,7 @@ impl Damped {
 const FEW: usize = 2048;
 
 /// Blocks of nodes that one thread works on, with two columns of their rows.
-struct Share<'c> {
+pub(super) struct Share<'c> {
     turns: &'c [Turn],
     rows: [&'c mut [Row]; 2],
     /// Those of them that others follow, and where to leave their velocities.
@@ -62,19 +62,19 @@ struct Share<'c> {
 }
 
 /// One of them.
-struct Chunk<'c> {
-    turn: &'c Turn,
-    rows: [&'c mut [Row]; 2],
-    leaders: &'c [Leader],
-    own: &'c mut [Lead],
-    before: &'c [Lead],
-    books: &'c mut [f64],
+pub(super) struct Chunk<'c> {
+    pub turn: &'c Turn,
+    pub rows: [&'c mut [Row]; 2],
+    pub leaders: &'c [Leader],
+    pub own: &'c mut [Lead],
+    pub before: &'c [Lead],
+    pub books: &'c mut [f64],
 }
 
 impl<'c> Share<'c> {
     /// The next of its blocks.
     #[inline(always)]
-    fn next(&mut self) -> Option<Chunk<'c>> {
+    pub fn next(&mut self) -> Option<Chunk<'c>> {
         let (turn, turns) = self.turns.split_first()?;
         self.turns = turns;
         let rows = self.rows.each_mut().map(|rows| take(rows, turn.nodes.len()));
@@ -101,7 +101,7 @@ fn take<'t, T>(all: &mut &'t mut [T], count: usize) -> &'t mut [T] {
 }
 
 /// Works on two columns of rows pass by pass, share by share; what `one` finds comes in that order.
-fn by_passes<T: Send>(
+pub(super) fn by_passes<T: Send>(
     (phase, passes): (&Phase, &[Pass]),
     leads: &mut [Lead],
     [a, b]: [&mut [Row]; 2],
@@ -154,7 +154,14 @@ fn by_passes<T: Send>(
 }
 
 /// Velocities at a time, in steps of the followers' own over the finest `dt`, that a given free field leaves to those who follow it.
-fn given(model: &Model, phase: &Phase, beat: &Beat, time: Option<f64>, dt: f64, leads: &mut [Lead]) {
+pub(super) fn given(
+    model: &Model,
+    phase: &Phase,
+    beat: &Beat,
+    time: Option<f64>,
+    dt: f64,
+    leads: &mut [Lead],
+) {
     let Some(field) = &model.boundaries.free_field else { return };
     for &place in &beat.given {
         let node = phase.leaders[place as usize].node() as usize;
@@ -249,19 +256,19 @@ fn drift(
 const LEVELS: usize = 4;
 
 /// Nodes that drift, from one on, in ascending order.
-struct Borders<'a> {
+pub(super) struct Borders<'a> {
     rest: &'a [Border],
 }
 
 impl<'a> Borders<'a> {
-    fn from(phase: &'a Phase, node: usize) -> Self {
+    pub fn from(phase: &'a Phase, node: usize) -> Self {
         let first = phase.borders.partition_point(|border| (border.node as usize) < node);
         Borders { rest: &phase.borders[first..] }
     }
 
     /// A node, if it drifts; nodes must be asked for in ascending order.
     #[inline(always)]
-    fn take(&mut self, node: usize) -> Option<&'a Border> {
+    pub fn take(&mut self, node: usize) -> Option<&'a Border> {
         while let [first, rest @ ..] = self.rest {
             match (first.node as usize).cmp(&node) {
                 Ordering::Less => self.rest = rest,
@@ -276,7 +283,13 @@ impl<'a> Borders<'a> {
 impl Border {
     /// What finer parts take of a node's own step of `span` steps beyond what the node gives there, where all have their own times:
     /// half of it over `twice`, its increments a step of the finest level before and after. Booked on accounts, and left.
-    fn meet(&self, contributions: &[Row], span_of_node: f64, twice: Row, accounts: &mut [f64]) -> f64 {
+    pub(super) fn meet(
+        &self,
+        contributions: &[Row],
+        span_of_node: f64,
+        twice: Row,
+        accounts: &mut [f64],
+    ) -> f64 {
         let mut taken = 0.0;
         for push in &self.pushes {
             let longer = span_of_node - span(push.level) as f64;
@@ -351,6 +364,7 @@ impl Advance<'_> {
         let simple = damping.stiffness_proportional == 0.0;
         for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
             let node = first + k;
+            expect(phase, contributions, node);
             let dashpot = dashpots.take(node);
             let mut lead = match LEADS {
                 true => {
@@ -413,95 +427,4 @@ impl Advance<'_> {
         accounts.close();
         sums.onto(books);
     }
-}
-
-/// What is measured over the nodes that count.
-#[derive(Default)]
-pub struct Measured {
-    /// By block that was measured, ascending: the kinetic energy of v̂ \[J\], and ⅛Δt²aᵀMa, by so much ½v̂ᵀMv̂ exceeds the kinetic energy that the
-    /// scheme conserves.
-    pub energies: Vec<(usize, [f64; 2])>,
-    /// What the first half of the step at u^n would book, as [`crate::state::Ledger::blocks`] does.
-    pub books: Vec<f64>,
-    /// v̂ and dv/dt by engine node.
-    pub velocity: Vec<Row>,
-    pub acceleration: Vec<Row>,
-}
-
-/// Measures a state, which is left alone.
-pub fn measure(
-    model: &Model,
-    phase: &Phase,
-    contributions: &[Row],
-    products: &Products,
-    state: &State,
-) -> Measured {
-    let damping = damping(model, state);
-    let mut velocity = vec![Row::ZERO; state.u.len()];
-    let mut acceleration = vec![Row::ZERO; state.u.len()];
-    let mut leads = vec![Lead::default(); phase.leaders.len()];
-    let beat = phase.beat(state);
-    given(model, phase, beat, Some(state.time()), state.dt, &mut leads);
-    let mut books = vec![0.0; state.ledger.blocks.len()];
-    let width = state.ledger.width();
-    let one = |Chunk { turn, rows: [velocity, acceleration], leaders, own, before, books }: Chunk| {
-        let first = turn.nodes.start;
-        let (books, of_accounts) = books.split_at_mut(OF_NODES);
-        let mut leaders = leaders.iter().zip(own).peekable();
-        let mut dashpots = Dashpots::from(phase, first);
-        let steps = if phase.beats.len() > 1 { span(turn.level) as f64 } else { 1.0 };
-        let damping = Damping { dt: steps * damping.dt, ..damping };
-        let mut borders = Borders::from(phase, first);
-        let mut sums = Damped::default();
-        let mut energies = [0.0; 2];
-        let mut accounts = Accounts::new(phase, contributions, of_accounts);
-        for (k, (velocity, acceleration)) in velocity.iter_mut().zip(acceleration).enumerate() {
-            let node = first + k;
-            let dashpot = dashpots.take(node);
-            let lead =
-                leaders.next_if(|(leader, _)| **leader == Leader::Node(node as u32)).map(|(_, lead)| lead);
-            // As when advancing: nodes that no part pushes stay.
-            if phase.start[node] == phase.start[node + 1] {
-                continue;
-            }
-            let du = Row(state.du[node].0.map(|d| steps * d));
-            let force = force(phase, contributions, node);
-            let net = net(&state.held, node, force);
-            let step = node_step(&damping, phase, products, before, dashpot, node, net, du);
-            if let Some(lead) = lead {
-                *lead = Lead { mean: step.mean, hat: step.velocity };
-            }
-            if turn.counts {
-                let mass = phase.mass[node];
-                energies[0] += 0.5 * mass * dot(step.velocity, step.velocity);
-                energies[1] +=
-                    0.125 * damping.dt * damping.dt * mass * dot(step.acceleration, step.acceleration);
-                sums.book(&step, du);
-                accounts.book(node, force, du);
-                if let Some(border) = borders.take(node) {
-                    let du = state.du[node];
-                    sums.levels += border.meet(contributions, steps, du, accounts.sums());
-                }
-            }
-            *velocity = step.velocity;
-            *acceleration = step.acceleration;
-        }
-        accounts.close();
-        sums.onto(books);
-        (turn.block, energies)
-    };
-    let found = by_passes(
-        (phase, &beat.passes),
-        &mut leads,
-        [&mut velocity, &mut acceleration],
-        (&mut books, width),
-        |mut share| -> Vec<_> { std::iter::from_fn(|| share.next()).map(one).collect() },
-    );
-    for &(node, master) in &phase.tied {
-        velocity[node as usize] = velocity[master as usize];
-        acceleration[node as usize] = acceleration[master as usize];
-    }
-    let mut energies: Vec<(usize, [f64; 2])> = found.into_iter().flatten().collect();
-    energies.sort_unstable_by_key(|(block, _)| *block);
-    Measured { energies, books, velocity, acceleration }
 }

@@ -1,7 +1,7 @@
 //! Products with the stiffness that ξ ≠ 0 needs.
 
+use super::measure::measure;
 use super::node_step::Products;
-use super::nodes::measure;
 use super::product::{self, Product};
 use crate::assembly::Assembly;
 use crate::model::Model;

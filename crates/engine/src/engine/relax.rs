@@ -22,7 +22,7 @@
 
 use super::Engine;
 use super::evaluation::Forces;
-use super::gather::{dot, force};
+use super::gather::{dot, expect, force};
 use super::split::split;
 use super::strained;
 use crate::assembly::Assembly;
@@ -370,6 +370,7 @@ impl Engine {
                 let mut sums = Sums::default();
                 for (k, (u, du)) in u.iter_mut().zip(du).enumerate() {
                     let node = block.nodes.start + k;
+                    expect(phase, contributions, node);
                     let slots = phase.start[node] as usize..phase.start[node + 1] as usize;
                     if slots.is_empty() {
                         continue;

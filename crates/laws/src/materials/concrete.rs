@@ -232,6 +232,10 @@ impl Material for Concrete {
         Some(self.used(stress, beside, history))
     }
 
+    fn uses_at_most(&self, stress: &Sym<f64>, share: f64) -> bool {
+        self.surely_used_at_most(stress, share)
+    }
+
     fn derived(&self, extents: [f64; 2]) -> Vec<Derived> {
         self.constants(extents)
     }

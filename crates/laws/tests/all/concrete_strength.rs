@@ -1,5 +1,6 @@
 //! Concrete under static load: uniaxial, cyclic, triaxial, biaxial.
 
+use crate::common::Random;
 use crate::common::concrete::*;
 use tremolite_laws::materials::Concrete;
 use tremolite_laws::path::{Path, Response, drive};
@@ -245,4 +246,31 @@ fn mean_damage_follows_the_signs_of_stress() {
     // Open: no direction is pressed, all three count D⁺. Closed: the pressed one counts D⁻ = 0.
     assert_eq!((now[40], most[40]), (1.0, 1.0));
     assert!((now[41] - 2.0 / 3.0).abs() < 1e-15 && most[41] == 1.0);
+}
+
+/// The quick test of how much strength is used never says yes where more is, hard below that either, whatever the variant, the rate or what
+/// the point remembers; and it says yes of most that are well below.
+#[test]
+fn no_stress_uses_more_than_it_is_said_to_use_at_most() {
+    let mut random = Random::new(11);
+    let (mut said, mut below) = (0, 0);
+    for law in all_variants() {
+        for _ in 0..300 {
+            let stress = random_strain(&mut random, FT);
+            let beside = if random.unit() < 0.5 { stress } else { random_strain(&mut random, FT) };
+            let mut history = tremolite_laws::virgin::<Concrete>();
+            history.iter_mut().for_each(|x| *x = 1e-4 * random.symmetric());
+            let used = law.tension_use(&stress, &beside, &history).unwrap();
+            assert!(used == 0.0 || !law.uses_at_most(&stress, used * (1.0 - 1e-9)), "{stress:?} uses {used}");
+            for share in [0.3, 0.6, 0.9, 1.2] {
+                let yes = law.uses_at_most(&stress, share);
+                assert!(!yes || used <= share, "{stress:?} uses {used}, not at most {share}");
+                let static_use = law.tension_use(&stress, &[0.0; 6], &[0.0; 14]).unwrap();
+                (said, below) = (said + usize::from(yes), below + usize::from(static_use < 0.99 * share));
+            }
+        }
+        assert!(!law.uses_at_most(&[f64::NAN; 6], 1.0));
+        assert!(law.uses_at_most(&[-FT, -FT, -FT, 0.0, 0.0, 0.0], 0.1));
+    }
+    assert!(said >= below, "{said} of {below}");
 }

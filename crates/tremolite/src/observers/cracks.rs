@@ -2,6 +2,7 @@
 
 use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
+use tremolite_engine::phase::ElementSlot;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
@@ -17,6 +18,8 @@ const ROLES: [Role; 3] = [Role::TensionDamage, Role::CrackExtent, Role::CrackStr
 /// cracks cross an element it is their sum, and of an element that has come loose it means nothing.
 pub struct Cracks {
     schedule: Schedule,
+    /// Elements whose law keeps what is asked for, with its columns.
+    cells: Vec<(ElementSlot, [usize; 3])>,
 }
 
 impl Cracks {
@@ -25,9 +28,19 @@ impl Cracks {
 
     /// The observer, if a law of the model can crack.
     pub fn new(setting: &Setting) -> Option<Self> {
+        let cell = |slot: &ElementSlot| {
+            let columns = setting.assembly.members[slot.member as usize].part.columns();
+            let [Some(damage), Some(size), Some(strain)] = ROLES.map(|role| position(columns, role)) else {
+                return None;
+            };
+            Some((*slot, [damage, size, strain]))
+        };
         let cracks = |history| ROLES.iter().all(|&role| position(history, role).is_some());
         let mut bodies = setting.model.user_bodies().iter();
-        bodies.any(|body| cracks(body.material.info().history)).then(|| Cracks { schedule: setting.rows() })
+        bodies.any(|body| cracks(body.material.info().history)).then(|| Cracks {
+            schedule: setting.rows(),
+            cells: setting.phase.element_slot.iter().flatten().filter_map(cell).collect(),
+        })
     }
 }
 
@@ -46,16 +59,12 @@ impl Observer for Cracks {
 
 impl Cracks {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let View { phase, history, snapshot, .. } = *view;
+        let View { history, snapshot, .. } = *view;
         let elements = snapshot.energy.len();
         let mut take = |name: &str| memory.remove(name).unwrap_or_else(|| vec![0.0; elements]);
         let (mut widest, mut when) = (take(Self::OPENING), take(Self::TIME));
-        for slot in phase.element_slot.iter().flatten() {
-            let [Some(damage), Some(size), Some(strain)] = ROLES.map(|role| history.with_role(slot, role))
-            else {
-                continue;
-            };
-            let column = |at| history.values(slot, at);
+        for (slot, [damage, size, strain]) in &self.cells {
+            let column = |at: &usize| history.values(slot, *at);
             let opening = column(damage)
                 .zip(column(size))
                 .zip(column(strain))

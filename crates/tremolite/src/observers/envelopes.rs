@@ -1,8 +1,9 @@
 //! Extremes over time, by node and element.
 
-use super::observer::{Event, Observer, Schedule, View, Wants, Which};
+use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
-use crate::point_stress::fibre_extremes;
+use crate::history::of_elements;
+use crate::point_stress::extremes_beyond;
 use crate::quantities::length;
 use rayon::prelude::*;
 use tremolite_engine::phase::ElementSlot;
@@ -12,7 +13,9 @@ use tremolite_engine::state::Memory;
 /// of members), under the names below in the state. Stresses of elements of several points are those at the fibre as long as they are
 /// intact.
 pub struct Envelopes {
-    pub schedule: Schedule,
+    schedule: Schedule,
+    /// Members that elements are in.
+    members: Vec<u32>,
 }
 
 impl Envelopes {
@@ -21,6 +24,10 @@ impl Envelopes {
     pub const S1_TIME: &'static str = "s1_max_time";
     pub const S3: &'static str = "s3_min";
     pub const S3_TIME: &'static str = "s3_min_time";
+
+    pub fn new(setting: &Setting) -> Self {
+        Envelopes { schedule: setting.rows(), members: of_elements(setting.phase) }
+    }
 }
 
 fn column<'m>(memory: &'m mut Memory, name: &str, length: usize, start: f64) -> &'m mut Vec<f64> {
@@ -47,34 +54,33 @@ impl Envelopes {
         most.iter_mut().zip(lengths).for_each(|(most, now)| *most = most.max(now));
 
         let elements = view.snapshot.energy.len();
-        let slots: Vec<&ElementSlot> = view.phase.element_slot.iter().flatten().collect();
-        let of_element = |slot: &&ElementSlot| {
-            let first = slot.point as usize;
-            let points = &view.snapshot.stress[first..first + slot.points as usize];
-            fibre_extremes(&slot.places, points, view.history.is_damaged(slot))
-        };
-        let extremes: Vec<[f64; 2]> = slots.par_iter().map(of_element).collect();
-        let mut now = vec![[f64::NEG_INFINITY, f64::INFINITY]; elements];
-        for (slot, extremes) in slots.iter().zip(extremes) {
-            now[slot.element as usize] = extremes;
-        }
+        let damaged = view.history.damaged(&self.members);
         // Tension positive: s3 is the largest of −s3.
         let kinds = [(Self::S1, Self::S1_TIME, 0, 1.0), (Self::S3, Self::S3_TIME, 1, -1.0)];
+        for (name, time, _, sign) in kinds {
+            column(memory, name, elements, sign * f64::NEG_INFINITY);
+            column(memory, time, elements, 0.0);
+        }
+        let slots: Vec<&ElementSlot> = view.phase.element_slot.iter().flatten().collect();
+        let kept = [Self::S1, Self::S3].map(|name| memory.get(name).map_or(&[][..], Vec::as_slice));
+        let beyond = |slot: &&ElementSlot| {
+            let (first, element) = (slot.point as usize, slot.element as usize);
+            let points = &view.snapshot.stress[first..first + slot.points as usize];
+            let seen = kept.map(|kept| kept[element]);
+            Some((element, extremes_beyond(&slot.places, points, damaged[element], seen)?))
+        };
+        let found: Vec<(usize, [f64; 2])> = slots.par_iter().filter_map(beyond).collect();
         for (name, time, which, sign) in kinds {
             let most = column(memory, name, elements, sign * f64::NEG_INFINITY);
-            let later: Vec<bool> =
-                most.iter().zip(&now).map(|(m, now)| sign * now[which] > sign * *m).collect();
-            for ((most, now), later) in most.iter_mut().zip(&now).zip(&later) {
-                if *later {
-                    *most = now[which];
+            let mut later = Vec::new();
+            for (element, now) in &found {
+                if sign * now[which] > sign * most[*element] {
+                    most[*element] = now[which];
+                    later.push(*element);
                 }
             }
             let times = column(memory, time, elements, 0.0);
-            times
-                .iter_mut()
-                .zip(&later)
-                .filter(|(_, later)| **later)
-                .for_each(|(t, _)| *t = view.snapshot.time);
+            later.into_iter().for_each(|element| times[element] = view.snapshot.time);
         }
         Ok(())
     }

@@ -5,6 +5,7 @@ use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::groups::{Group, groups};
 use crate::quantities::{MEASURES, Measure, SHARE_OF_VOLUME};
+use std::collections::BTreeSet;
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
@@ -25,6 +26,8 @@ struct Cell {
 /// A whole group.
 struct Part {
     cells: Vec<Cell>,
+    /// Members that they are in.
+    members: Vec<u32>,
     volume: f64,
     /// What its law keeps, by column.
     measures: Vec<(&'static Kept, Measure)>,
@@ -88,12 +91,14 @@ fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
         let volumes = slot.places.weights(&hex);
         cells.push(Cell { slot, volumes });
     }
+    let members: BTreeSet<u32> = cells.iter().map(|cell: &Cell| cell.slot.member).collect();
     let history = group.body.material.info().history;
     let measure = |m: &Measure| position(history, m.role).map(|at| (&history[at], *m));
     Part {
         volume: cells.iter().flat_map(|c| &c.volumes).sum(),
         measures: MEASURES.iter().filter_map(measure).collect(),
         cracks: position(history, Role::CrackExtent).is_some(),
+        members: members.into_iter().collect(),
         cells,
     }
 }
@@ -118,7 +123,8 @@ impl Growth {
         for part in &self.parts {
             for (_, measure) in &part.measures {
                 let mut damaged = 0.0;
-                for cell in &part.cells {
+                let beyond = history.beyond(&part.members, measure.role, measure.counts);
+                for cell in part.cells.iter().filter(|cell| beyond[cell.slot.element as usize]) {
                     let Some(column) = history.with_role(&cell.slot, measure.role) else { continue };
                     let values = history.values(&cell.slot, column);
                     let beyond = values.zip(&cell.volumes).filter(|(value, _)| *value > measure.counts);

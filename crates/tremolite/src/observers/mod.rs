@@ -83,7 +83,7 @@ const OF_SHAKING: &[fn(&Setting) -> Made] = &[
     |s| boxed(Some(Histories::new(s)?)),
     |s| boxed(Some(StepPeaks::new(s))),
     |s| boxed(Some(Energy::new(s)?)),
-    |s| boxed(Some(Envelopes { schedule: s.rows() })),
+    |s| boxed(Some(Envelopes::new(s))),
     |s| boxed(FreeField::new(s)?),
     |s| boxed(AtCorners::new(s)?),
     |s| boxed(recorded::AtRecord::new(s)),

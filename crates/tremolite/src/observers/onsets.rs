@@ -2,6 +2,7 @@
 
 use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
+use crate::history::of_elements;
 use crate::quantities::{MEASURES, Measure};
 use crate::state::Memory;
 use tremolite_laws::parameter::position;
@@ -11,6 +12,8 @@ use tremolite_laws::parameter::position;
 pub struct Onsets {
     schedule: Schedule,
     measures: Vec<Measure>,
+    /// Members that elements are in.
+    members: Vec<u32>,
 }
 
 /// Key of the first times of a measure.
@@ -26,7 +29,8 @@ impl Onsets {
             bodies.any(|b| position(b.material.info().history, m.role).is_some())
         };
         let measures: Vec<Measure> = MEASURES.iter().filter(known).copied().collect();
-        (!measures.is_empty()).then(|| Onsets { schedule: setting.rows(), measures })
+        let members = of_elements(setting.phase);
+        (!measures.is_empty()).then(|| Onsets { schedule: setting.rows(), measures, members })
     }
 }
 
@@ -50,13 +54,9 @@ impl Onsets {
             let key = memory_key(measure);
             let elements = snapshot.energy.len();
             let mut first = memory.remove(&key).unwrap_or_else(|| vec![f64::INFINITY; elements]);
-            for slot in view.phase.element_slot.iter().flatten() {
-                let at = &mut first[slot.element as usize];
-                if at.is_finite() {
-                    continue;
-                }
-                let column = history.with_role(slot, measure.role);
-                if column.is_some_and(|c| history.values(slot, c).any(|value| value > measure.onset)) {
+            let begun = history.beyond(&self.members, measure.role, measure.onset);
+            for at in first.iter_mut().zip(begun).filter_map(|(at, begun)| begun.then_some(at)) {
+                if !at.is_finite() {
                     *at = snapshot.time;
                 }
             }

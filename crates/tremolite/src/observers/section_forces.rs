@@ -1,18 +1,20 @@
 //! Thrust, moment and shear of linings: what stages leave, and the extremes over the shaking.
 
+mod lined;
+
 use super::observer::{Event, Observer, Setting, StageSeen, View, Wants, Which};
 use crate::error::RunError;
-use crate::groups::all_groups;
 use crate::plan::Plan;
-use crate::sections::{Station, Steel, forces, stations};
+use crate::sections::{Levers, Station, Steel, forces};
+use lined::{lined, steel};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
+use tremolite_engine::Model;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::bolts::SegmentSeen;
 use tremolite_engine::member::Kind;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
-use tremolite_engine::{Model, Stage};
 use tremolite_results::{ResultFolder, SectionRow, write_sections};
 
 /// Forces by station at the end of each stage, three each, stage behind stage.
@@ -37,6 +39,8 @@ pub struct SectionTable {
     folder: ResultFolder,
     plan: Arc<Plan>,
     sections: SectionForces,
+    /// By station, for the many times of the shaking.
+    levers: Vec<Option<Levers>>,
 }
 
 impl SectionTable {
@@ -49,7 +53,11 @@ impl SectionTable {
         }
         let looks = setting.shakes().then(|| setting.rows());
         let wants = Wants { looks, ..sections.wants(model, assembly) };
-        Some(SectionTable { wants, folder: folder.clone(), plan: plan.clone(), sections })
+        let levers = match setting.shakes() {
+            true => sections.levers(model, setting.phase),
+            false => Vec::new(),
+        };
+        Some(SectionTable { wants, folder: folder.clone(), plan: plan.clone(), sections, levers })
     }
 }
 
@@ -59,10 +67,10 @@ impl Observer for SectionTable {
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
-        let SectionTable { folder, plan, sections, .. } = self;
+        let SectionTable { folder, plan, sections, levers, .. } = self;
         match event {
             Event::Look(view) => {
-                sections.follow(memory, view.snapshot.time, &sections.at(view));
+                sections.follow(memory, view.snapshot.time, &sections.looked_at(view, levers));
                 Ok(())
             }
             Event::StageEnds(StageSeen { at_rest, view, .. }) => {
@@ -108,6 +116,16 @@ impl SectionForces {
         }
     }
 
+    /// What of every station's forces does not go by the stresses in a phase; nothing where it does not stand.
+    fn levers(&self, model: &Model, phase: &Phase) -> Vec<Option<Levers>> {
+        let places = |e: u32| slot_in(model, phase, e).map(|slot| slot.places);
+        let of_station = |(_, station): &(String, Station)| {
+            let stands = station.stack.iter().all(|(e, _)| places(*e).is_some());
+            stands.then(|| Levers::of(&model.mesh, station, places))
+        };
+        self.stations.iter().map(of_station).collect()
+    }
+
     /// Forces of every station at a time, in the order of the stations; not a number where it does not stand.
     pub fn at(&self, view: &View) -> Vec<[f64; 3]> {
         let points = |e: u32| {
@@ -115,26 +133,42 @@ impl SectionForces {
             let stress = &view.snapshot.stress[slot.point as usize..][..slot.points as usize];
             Some((slot.places, stress))
         };
-        let of_station = |station: &Station| {
+        self.with_steel(view, |_, station| {
             if station.stack.iter().any(|(e, _)| points(*e).is_none()) {
                 return [f64::NAN; 3];
             }
             forces(&view.model.mesh, station, points)
+        })
+    }
+
+    /// The same, to the bit, with the levers of the view's phase.
+    fn looked_at(&self, view: &View, levers: &[Option<Levers>]) -> Vec<[f64; 3]> {
+        let points = |e: u32| {
+            let slot = slot_of(view, e)?;
+            Some(&view.snapshot.stress[slot.point as usize..][..slot.points as usize])
         };
+        self.with_steel(view, |k, station| match &levers[k] {
+            Some(levers) => levers.forces(station, points),
+            None => [f64::NAN; 3],
+        })
+    }
+
+    /// What the concrete of each station bears, and the bars in it as well.
+    fn with_steel(&self, view: &View, concrete: impl Fn(usize, &Station) -> [f64; 3]) -> Vec<[f64; 3]> {
         let mut seen: HashMap<[usize; 2], Vec<SegmentSeen>> = HashMap::new();
         let mut tension = |[set, bolt, segment]: [usize; 3]| {
             let look = || view.assembly.bolts[set].seen(view.numbers, bolt);
             seen.entry([set, bolt]).or_insert_with(look).get(segment).map_or(0.0, |s| s.force)
         };
-        let both = |((_, station), steel): (&(String, Station), &Vec<Steel>)| {
-            let mut sums = of_station(station);
+        let both = |(k, ((_, station), steel)): (usize, (&(String, Station), &Vec<Steel>))| {
+            let mut sums = concrete(k, station);
             for bar in steel {
                 let force = tension(bar.segment);
                 sums.iter_mut().zip(bar.shares).for_each(|(sum, share)| *sum += share * force);
             }
             sums
         };
-        self.stations.iter().zip(&self.steel).map(both).collect()
+        self.stations.iter().zip(&self.steel).enumerate().map(both).collect()
     }
 
     /// Follows the extremes of the shaking.
@@ -213,54 +247,6 @@ impl SectionForces {
         }
         Ok(write_sections(&folder.sections(), &rows)?)
     }
-}
-
-/// The stations of whole groups that damage, or that begin with a stage, each with the name of its group.
-fn lined(model: &Model) -> Vec<(String, Station)> {
-    let standing: Vec<bool> =
-        (0..model.mesh.elements.len()).map(|e| model.stands(e, Stage::Shaking)).collect();
-    let mut all = Vec::new();
-    for group in all_groups(model) {
-        let later = group.elements.iter().any(|&e| model.elements.lives[e as usize].is_later());
-        if group.whole && (later || group.body.material.info().damages) {
-            let found = stations(&model.mesh, &group.elements, &standing);
-            all.extend(found.into_iter().map(|station| (group.name.to_owned(), station)));
-        }
-    }
-    all
-}
-
-/// Segments of bars that move with what they lie in, by the station they lie in.
-fn steel(model: &Model, stations: &[(String, Station)]) -> Vec<Vec<Steel>> {
-    let mut found = vec![Vec::new(); stations.len()];
-    let mut station_of: HashMap<u32, usize> = HashMap::new();
-    for (k, (_, station)) in stations.iter().enumerate() {
-        for &(e, _) in &station.stack {
-            // What the element was before its material changed is in its place.
-            let same = std::iter::successors(Some(e), |e| model.elements.successors.get(e).copied());
-            station_of.extend(same.map(|e| (e, k)));
-        }
-    }
-    for (s, set) in model.bolts.iter().enumerate().filter(|(_, set)| set.kind.bond.is_none()) {
-        for (b, bolt) in set.bolts.iter().enumerate() {
-            for (i, segment) in bolt.segments.iter().enumerate().filter(|(_, segment)| !segment.free) {
-                let ends = segment.points.map(|p| &bolt.points[p as usize]);
-                // A point between two elements may be counted to either: the segment is in the one around its middle.
-                let middle = bolt.middle(i);
-                let off = |k: &usize| {
-                    let station = &stations[*k].1;
-                    let off = |c: usize| (middle[c] - station.place[c]) * station.along[c];
-                    (off(0) + off(1) + off(2)).abs()
-                };
-                let near = ends.iter().filter_map(|end| station_of.get(&end.host));
-                if let Some(&k) = near.min_by(|a, b| off(a).total_cmp(&off(b))) {
-                    let shares = Steel::shares(&stations[k].1, ends.map(|end| end.place));
-                    found[k].push(Steel { segment: [s, b, i], shares });
-                }
-            }
-        }
-    }
-    found
 }
 
 /// Where an element has its place, or what it was before its material changed; none where neither stands.

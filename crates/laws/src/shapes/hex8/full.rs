@@ -43,9 +43,10 @@ impl FullGeometry {
 }
 
 impl FullGeometry {
-    /// Strains at the points of the element in the first lane, from its modal displacements.
-    pub(super) fn strains(&self, modes: &[[f64; 8]; 3]) -> [Sym<f64>; 8] {
-        let mut e = self.field.strain::<f64>(modes, &SCALE, &[], 0);
+    /// Strains at the points of the element in a lane, from its modal displacements.
+    #[inline(always)]
+    pub(super) fn strains(&self, modes: &[[f64; 8]; 3], lane: usize) -> [Sym<f64>; 8] {
+        let mut e = self.field.strain::<f64>(modes, &SCALE, &[], lane);
         Field::to_points(&mut e);
         core::array::from_fn(|p| core::array::from_fn(|c| e[c][p]))
     }

@@ -45,7 +45,7 @@ mod size;
 pub use bodies::MODAL_MEMORY;
 pub use brick::BrickGeometry;
 pub use brick_field::{BrickField, bricks_left};
-pub use elastic::elastic_stress;
+pub use elastic::{ElasticPoints, elastic_stress};
 pub use field::FieldShape;
 pub use frequency::element_frequencies;
 pub use full::{FullGeometry, FullShape, full};
