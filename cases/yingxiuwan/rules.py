@@ -198,10 +198,15 @@ def of_damage(power: Lining, transformer: Lining) -> list[Row]:
     rows.append(
         Row(
             18,
-            "D_b after: above 0.1 in half of the powerhouse's crown, more at junctions than in walls, up to 0.9; the transformer cavern's 0.7 to 0.9, at an end",
+            "D_b after: above 0.1 in half of the powerhouse's crown, more at junctions than in walls, up to 0.9; "
+            "the transformer cavern's 0.7 to 0.9, at an end",
             f"{100 * crown:.0f} %, {mean(power.junction):.2f} and {mean(walls):.2f}, {power.after.max():.2f}; {largest:.2f}"
             + (" at an end" if transformer.end[where] else ""),
-            crown >= 0.5 and mean(power.junction) > mean(walls) and power.after.max() >= 0.9 and 0.7 <= largest <= 0.9 and transformer.end[where],
+            crown >= 0.5
+            and mean(power.junction) > mean(walls)
+            and power.after.max() >= 0.9
+            and 0.7 <= largest <= 0.9
+            and transformer.end[where],
         )
     )
     sheared = share([(h.shear > 0.1) * 1.0 for h in halls], [h.junction for h in halls])
@@ -220,7 +225,9 @@ def of_damage(power: Lining, transformer: Lining) -> list[Row]:
         both += (h.area * damaged * h.free).sum()
         either += (h.area * np.maximum(damaged, h.free)).sum()
     jaccard = both / either if either > 0.0 else 0.0
-    rows.append(Row(20, "area slid or opened and area with D_b above 0.1: common over joint at least 0.5", f"{jaccard:.2f}", jaccard >= 0.5))
+    rows.append(
+        Row(20, "area slid or opened and area with D_b above 0.1: common over joint at least 0.5", f"{jaccard:.2f}", jaccard >= 0.5)
+    )
     return rows
 
 
@@ -327,8 +334,14 @@ def main() -> int:
         except ValueError as short:
             print(f"\n{short}")
             continue
-        scores = [sum(r.met for r in here), sum(r.met for r in rows(folder, relative=False)), sum(r.met for r in rows(folder, running=True))]
-        print(f"\n{folder}: {scores[0]} of {len(here)}; with displacements as they are {scores[1]}, with the largest D_b so far {scores[2]}")
+        scores = [
+            sum(r.met for r in here),
+            sum(r.met for r in rows(folder, relative=False)),
+            sum(r.met for r in rows(folder, running=True)),
+        ]
+        print(
+            f"\n{folder}: {scores[0]} of {len(here)}; with displacements as they are {scores[1]}, with the largest D_b so far {scores[2]}"
+        )
         for r in here:
             print(f"  {'met' if r.met else ' - '} {r.number:2d}  {r.asks}: {r.found}")
         name = folder.parent.name if folder.name == "results" else folder.name
