@@ -128,7 +128,7 @@ fn lines_over_intensity_are_named_while_each_has_a_colour_of_its_own() {
         study.runs = (0..records)
             .map(|k| StudyRun { record: Some(format!("record{k}")), sample: 0, ..run.clone() })
             .collect();
-        let svg = rising::figures(&study, Language::En).remove(0).svg;
+        let svg = rising::figures(&study, Language::English).remove(0).svg;
         svg.matches(">record").count()
     };
     assert_eq!((names(7), names(8)), (7, 0));
