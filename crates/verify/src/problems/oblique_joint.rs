@@ -5,10 +5,10 @@
 //! without cohesion: its centre of mass goes down the dip with g(sin δ − μ cos δ), and not along the strike. So normals and areas of all
 //! pairs are tried, of pieces of every kind: were one of ten off by ten degrees, the acceleration would be off by some per cent.
 //!
-//! **Model.** Weight comes over [`RISE`] and the slope's share of it behind that, both without a kink, since a block that rings slides further:
+//! **Model.** Weight comes over a tenth of a second and the slope's share of it behind that, both without a kink, since a block that rings slides further:
 //! friction follows the pressure, and what swings aside takes a part of it. Put on at once the block slid by 1 to 4 % faster.
 //!
-//! **Errors.** The acceleration is the slope of a straight line through the velocity of the centre of mass over [`FROM`] to [`END`], when all
+//! **Errors.** The acceleration is the slope of a straight line through the velocity of the centre of mass over the last 0.2 s, when all
 //! pairs slide; it is off by what rings still.
 
 use crate::joints::{joint, together};
