@@ -179,7 +179,7 @@ fn seams_are_said_and_what_is_wrong_with_them_is_refused_at_its_line() {
         (
             "thickness = 0.1",
             "thickness = 0.4",
-            "more than half of the elements beside it (0.5",
+            "more than half of the elements beside it (0.60",
             "give its two walls as planes",
         ),
         (
