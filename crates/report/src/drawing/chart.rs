@@ -199,7 +199,11 @@ impl Chart<'_> {
     ) {
         let bottom = top + height;
         let (low, high) = panel.range();
-        let up = Ticks::around(low * panel.scale.factor, high * panel.scale.factor, (height / 38.0) as usize);
+        let up = Ticks::around(
+            low * panel.scale.factor,
+            high * panel.scale.factor,
+            (height / 38.0).max(2.0) as usize,
+        );
         let axes = Axes { left: LEFT, right: width - RIGHT, top, bottom, across: across.clone(), up };
         axes.draw(svg);
         svg.text((LEFT, top - 8.0), Anchor::Start, 13.0, Style::Bold, &panel.scale.labelled(&panel.title));
