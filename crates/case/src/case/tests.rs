@@ -53,6 +53,13 @@ fn cases() -> Vec<String> {
             "points = [[[\"0 m\", \"1 m\", \"-210 m\"], [0, \"1 m\", \"-204.5 m\"]]]",
             "file = \"bolts.csv\"",
         ),
+        EVERY_KEY
+            .replace(
+                "[material.rock]",
+                "[material.clay]\nlaw = \"mohr-coulomb\"\nyoung = \"1 GPa\"\npoisson = 0.3\ndensity = \"2.2 t/m3\"\n\
+                 cohesion = \"0.1 MPa\"\nfriction_angle = \"20 deg\"\n[material.rock]",
+            )
+            .replace("extent = \"80 m\"", "seam = { material = \"clay\", thickness = \"0.1 m\" }"),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
         with_waves(
             "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n",

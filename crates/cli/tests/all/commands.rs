@@ -138,7 +138,7 @@ fn bad_cases_are_refused_at_once_with_all_their_problems_and_nothing_computed() 
 #[test]
 fn what_does_not_fit_the_mesh_is_refused_at_its_place() {
     let cases: [(&str, &str, &[&str]); 7] = [
-        ("at   = \"hall.crown\"", "at   = [0, 0, \"-300 m\"]", &["monitor crown at", "the mesh spans"]),
+        ("at   = \"hall.crown\"", "at   = [0, 0, \"-300 m\"]", &["monitor crown at", "its body spans"]),
         ("at   = \"hall.crown\"", "at   = \"hall.roof\"", &["no point 'hall.roof'", "hall.crown"]),
         (
             "\"rock\", \"hall.bench*\"]",
