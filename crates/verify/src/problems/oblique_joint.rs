@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tremolite::parts::loads::Load;
-use tremolite::{Problem, Quadrature, stable_step};
+use tremolite::{Problem, Quadrature};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::cut::{Bounds, Cut, cut};
 use tremolite_mesh::plane::Plane;
@@ -96,7 +96,7 @@ fn slide([dip, direction]: [f64; 2], divide: u32, step: f64) -> Result<[f64; 2],
     let masses: Vec<(u32, f64)> =
         (nodes..problem.mesh.nodes.len() as u32).map(|n| (n, mass(n))).collect();
     let total: f64 = masses.iter().map(|(_, m)| m).sum();
-    let most = step * stable_step(&trial.model, &trial.assembly, &trial.phase).to_run(0.9);
+    let most = step * trial.bound().to_run(0.9);
     let (_, dt) = whole_steps(END, most);
     let normal = plane.normal;
     let (sine, cosine) = dip.to_radians().sin_cos();
@@ -113,10 +113,10 @@ fn slide([dip, direction]: [f64; 2], divide: u32, step: f64) -> Result<[f64; 2],
     let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
     let speed = |along: [f64; 3], state: &tremolite::State| -> f64 {
         let sum = masses.iter().map(|&(n, m)| {
-            let row = state.du[simulation.model.engine_node[n as usize] as usize].xyz();
-            m * (0..3).map(|i| row[i] * along[i]).sum::<f64>()
+            let (v, _) = simulation.velocity(state, simulation.model.engine_node[n as usize] as usize);
+            m * (0..3).map(|i| v[i] * along[i]).sum::<f64>()
         });
-        sum.sum::<f64>() / (total * dt)
+        sum.sum::<f64>() / total
     };
     let mut seen: Vec<(f64, [f64; 2])> = Vec::new();
     while state.time() < END - 0.5 * dt {
