@@ -8,7 +8,9 @@ use tremolite::engine::Release;
 use tremolite::hexahedra::centroid;
 use tremolite::point_stress::mean;
 use tremolite::stages::{PlannedStage, settle};
-use tremolite::{Assembly, Body, Engine, Life, Model, Phase, Problem, Quadrature, Snapshot, Stage, State};
+use tremolite::{
+    Assembly, Body, Engine, Life, Model, Phase, Problem, Quadrature, Snapshot, Stage, State, stable_step,
+};
 use tremolite_mesh::{Element, Face, Mesh, Shape};
 
 /// From the initial equilibrium on, until the first stage of change.
@@ -19,6 +21,47 @@ pub const SINCE_CHANGE: Life = Life { born: Stage::Before(1), gone: None };
 /// A share of what is held, let go until far less is out of balance than any mesh errs.
 pub fn release(share: f64) -> Release {
     Release { share, tolerance: [1e-9, 1e-7], most: 200_000, ..Release::default() }
+}
+
+/// Steps of a shaking that nothing drives.
+pub const QUIET_STEPS: u32 = 100;
+
+/// A model in equilibrium that was then stepped on without anything to drive it.
+pub struct Quiet {
+    pub model: Arc<Model>,
+    pub assembly: Arc<Assembly>,
+    pub state: State,
+    /// Largest component of motion \[m\] on the way to equilibrium, and in [`QUIET_STEPS`] steps after it.
+    pub moved: [f64; 2],
+}
+
+impl Quiet {
+    /// # Errors
+    /// If it is no model, or does not come to rest.
+    pub fn new(problem: Problem) -> Result<Self, VerifyError> {
+        let model = Model::new(problem)?;
+        let assembly = Assembly::new(&model)?;
+        let stage = PlannedStage { release: release(1.0), ..PlannedStage::new("equilibrium") };
+        let (mut state, _) = settle(&model, &assembly, &[stage])
+            .map_err(|unsettled| VerifyError::Setup(format!("{unsettled:?}")))?;
+        let most = |state: &State, shown: bool| {
+            let nodes = 0..state.u.len();
+            let all = nodes.flat_map(|n| if shown { state.shown(n).xyz() } else { state.u[n].xyz() });
+            all.fold(0.0, |most: f64, x| most.max(x.abs()))
+        };
+        let before = most(&state, false);
+        let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
+        let dt = stable_step(&model, &assembly, &phase).to_run(0.9);
+        let mut engine = Engine::new(&model, &assembly, &phase);
+        engine.hand_over(&mut state, dt);
+        let mut after = 0.0_f64;
+        for _ in 0..QUIET_STEPS {
+            engine.step(&mut state);
+            after = after.max(most(&state, true));
+        }
+        engine.finish(&mut state);
+        Ok(Quiet { model, assembly, state, moved: [before, after] })
+    }
 }
 
 /// A model at rest after its last stage.

@@ -7,13 +7,12 @@
 
 use crate::joints::joint;
 use crate::models::{QUADRATURES, Solid};
-use crate::staged::{Rings, release};
+use crate::staged::{Quiet, Rings};
 use crate::{Check, Effort, Verification, VerifyError};
 use tremolite::hexahedra::centroid;
 use tremolite::interface::traction;
 use tremolite::Traction;
-use tremolite::stages::{PlannedStage, settle};
-use tremolite::{Assembly, Base, Engine, Life, Model, Phase, Quadrature, Side, Stage, State, stable_step};
+use tremolite::{Base, Life, Quadrature, Side};
 use tremolite_mesh::Face;
 use tremolite_mesh::boxes::{BoxSpec, Distortion};
 
@@ -34,7 +33,6 @@ const STRESS: [f64; 6] = [-6e6, -5e6, -8e6, 0.7e6, -0.5e6, 0.9e6];
 const PLANE: [f64; 6] = [-6e6, -5e6, -8e6, 0.0, 0.0, 0.9e6];
 /// Size of the models \[m\].
 const SIZE: f64 = 4.0;
-const STEPS: u32 = 100;
 
 type Numbers = &'static [(&'static str, f64)];
 const LAWS: [(&str, Numbers); 2] = [
@@ -120,27 +118,7 @@ fn loaded(
 /// Largest motion \[m\] to equilibrium, and in the shaking; largest error of the pressure at a pair over σ_z.
 fn rest(problem: tremolite::Problem) -> Result<[f64; 3], VerifyError> {
     let stress = problem.initial[0];
-    let model = Model::new(problem)?;
-    let assembly = Assembly::new(&model)?;
-    let stage = PlannedStage { release: release(1.0), ..PlannedStage::new("equilibrium") };
-    let (mut state, _) =
-        settle(&model, &assembly, &[stage]).map_err(|unsettled| VerifyError::Setup(format!("{unsettled:?}")))?;
-    let most = |state: &State, shown: bool| {
-        let nodes = 0..state.u.len();
-        let all = nodes.flat_map(|n| if shown { state.shown(n).xyz() } else { state.u[n].xyz() });
-        all.fold(0.0, |most: f64, x| most.max(x.abs()))
-    };
-    let before = most(&state, false);
-    let phase = Phase::of(&model, &assembly, Stage::Shaking)?;
-    let dt = stable_step(&model, &assembly, &phase).to_run(0.9);
-    let mut engine = Engine::new(&model, &assembly, &phase);
-    engine.hand_over(&mut state, dt);
-    let mut after = 0.0_f64;
-    for _ in 0..STEPS {
-        engine.step(&mut state);
-        after = after.max(most(&state, true));
-    }
-    engine.finish(&mut state);
+    let Quiet { model, assembly, state, moved: [before, after] } = Quiet::new(problem)?;
     let (seam, contacts) = (&model.seams[0], &assembly.contacts[0]);
     let error = seam.pairs.iter().enumerate().map(|(k, pair)| {
         let on = traction(&stress, pair.normal);
