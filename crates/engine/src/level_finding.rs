@@ -7,8 +7,8 @@
 //! **Who is how coarse.** An element by its own bound 2/ω_e (`irons1971`), with its viscosity, and with the springs at its nodes: of
 //! pairs, bolts and the base, twice each, since what holds two nodes together weighs at most so much at either. Steps of coarser levels
 //! are at most [`SHARE`] of that. Pairs also by what their impacts allow. A node is as fine as the finest of what is at it; and what
-//! moves as one, follows another by a dashpot, touches it, or stands outside a side where that is, has one level. Neighbours differ by
-//! one level at most.
+//! moves as one, follows another by a dashpot, touches it, stands outside a side where that is, or lies through the thickness of one
+//! thin body with it, has one level. Neighbours differ by one level at most.
 
 use crate::engine::viscous_share;
 use crate::free_field::Leader;
@@ -20,6 +20,7 @@ use crate::pair_masses::{PairMasses, Phases};
 use crate::phase::Phase;
 use crate::problem::MOST_LEVELS;
 use crate::sheet::corners;
+use crate::thin::join_across;
 use crate::ties::Ties;
 use crate::{Assembly, ModelError};
 use rayon::prelude::*;
@@ -189,5 +190,6 @@ fn classes(model: &Model, phase: &Phase) -> Vec<u32> {
             classes.join(corner.source, corner.back);
         }
     }
+    join_across(model, &mut classes);
     classes.roots()
 }

@@ -43,6 +43,7 @@ mod slabs;
 pub mod state;
 mod sums;
 mod thickness;
+mod thin;
 pub mod ties;
 pub mod traction;
 

@@ -30,6 +30,7 @@ pub mod plan;
 pub mod point_stress;
 pub mod quantities;
 pub mod run;
+pub mod scaling;
 pub mod sections;
 pub mod setup;
 pub mod simulation;

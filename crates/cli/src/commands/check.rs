@@ -11,6 +11,7 @@ use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::terminal::{print, tell, warn};
 use std::path::{Path, PathBuf};
+use tremolite::scaling::SharedOut;
 
 /// What is said: the lines that decide on a run, or every line.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -41,8 +42,8 @@ pub struct Args {
     /// Write where bolts will be into this folder, a file a group, as a case's `file` reads them
     #[arg(long, value_name = "DIR")]
     bolts: Option<PathBuf>,
-    /// Say how a run would be shared out to so many ranks
-    #[arg(long, conflicts_with = "json", value_parser = clap::value_parser!(u32).range(1..))]
+    /// Say how a run would be shared out to so many ranks, and about how long it would take
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     ranks: Option<u32>,
     /// End with status 1 where there is a warning
     #[arg(long)]
@@ -64,12 +65,17 @@ pub fn run(args: &Args) -> Outcome {
         }
         tell(&job.remarks());
         let checked = job.check();
+        let shared = args.ranks.map(|ranks| SharedOut::of(&checked, ranks));
         if args.json {
-            print(&serde_json::to_string_pretty(&checked).unwrap_or_default());
+            let mut said = serde_json::to_value(&checked).map_err(Failure::failed)?;
+            if let Some(shared) = &shared {
+                said["ranks"] = serde_json::to_value(shared).map_err(Failure::failed)?;
+            }
+            print(&serde_json::to_string_pretty(&said).unwrap_or_default());
         } else {
             let lines = if args.all { Lines::All } else { Lines::Deciding };
             text::print_lines(&checked, lines);
-            args.ranks.iter().for_each(|&ranks| ranks::print_lines(&job, ranks));
+            shared.iter().for_each(ranks::print_lines);
         }
         let refused = free
             .lacks_for(&job)

@@ -99,3 +99,31 @@ fn bolts_of_a_pattern_are_written_so_that_a_case_reads_them() {
     assert!(pattern.starts_with("x1,y1,z1,x2,y2,z2\n") && pattern.lines().count() > 5, "{pattern}");
     assert_eq!(of("file = \"first/b_1.csv\"", "second"), pattern);
 }
+
+#[test]
+fn what_ranks_would_share_is_said_in_lines_and_in_the_object() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(tremolite(folder.path(), &["new", "study"]).status.success());
+    let said = |ranks: &str| {
+        let output = tremolite(folder.path(), &["check", "study/case.toml", "--json", "--ranks", ranks]);
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        found["ranks"].clone()
+    };
+    let number = |of: &Value, pointer: &str| of.pointer(pointer).and_then(Value::as_f64).expect(pointer);
+    let alone = said("1");
+    assert_eq!(number(&alone, "/efficiency"), 1.0);
+    assert_eq!([number(&alone, "/imbalance"), number(&alone, "/seconds/messages")], [1.0, 0.0]);
+    let three = said("3");
+    let rows = three["of_rank"].as_array().unwrap();
+    let work: f64 = rows.iter().map(|row| number(row, "/work")).sum();
+    assert!(rows.len() == 3 && (work - 1.0).abs() < 1e-12, "{three}");
+    assert!(rows.iter().all(|row| number(row, "/bytes") > 0.0 && number(row, "/neighbours") >= 1.0));
+    // Rows are of the first rank alone, so three machines are never used whole.
+    assert!((0.0..1.0).contains(&number(&three, "/efficiency")), "{three}");
+    assert!(number(&three, "/seconds/messages") > 0.0);
+    let lines = tremolite(folder.path(), &["check", "study/case.toml", "--ranks", "3"]).stdout;
+    let lines = String::from_utf8(lines).unwrap();
+    for words in ["ranks 3", "if each rank had a machine like this one to itself", "Not measured", "neighbours"] {
+        assert!(lines.contains(words), "'{words}' is missing:\n{lines}");
+    }
+}

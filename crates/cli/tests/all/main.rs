@@ -25,6 +25,7 @@ mod reference;
 mod references;
 mod rims;
 mod ringing;
+mod scaling_figure;
 mod seams;
 mod set;
 mod shipped_cases;

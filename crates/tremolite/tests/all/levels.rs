@@ -415,7 +415,7 @@ fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
 /// there pass again.
 #[test]
 fn a_planted_instability_is_found_and_finer_levels_mend_it() {
-    let coarse_slab = |[_, _, z]: [f64; 3]| if (z - 7.0).abs() < 3.0 { 3 } else { 1 };
+    let coarse_slab = |[_, _, z]: [f64; 3]| if (z - 7.0).abs() < 4.0 { 3 } else { 1 };
     let right = Ready::new(shaken(Side::FreeField)).levelled(coarse_slab);
     // Of the finest level, that the coarsest elements still allow.
     let dt = 0.8 * right.stable() / 8.0;
@@ -470,4 +470,31 @@ fn a_border_sends_back_little_of_what_crosses_it() {
     let found = [10.0, 20.0, 40.0].map(reflected);
     println!("reflected of pulses of 10, 20 and 40 elements: {found:?}");
     assert!(found[0] < 1.5e-2 && found[1] < 6e-3 && found[2] < 3e-3, "{found:?}");
+}
+
+/// A border through a thin plate would weaken it in bending: its nodes step together through the thickness, those of a thick one need not.
+#[test]
+fn no_border_lies_along_a_thin_body() {
+    let apart = |elements: u32, quadrature: Quadrature| {
+        let mesh = BoxSpec::uniform([0.0; 3], [8.0, 8.0, f64::from(elements)], [8, 8, elements]).mesh().unwrap();
+        let body = Body {
+            name: "plate".into(),
+            elements: (0..mesh.elements.len() as u32).collect(),
+            material: elastic(Moduli::from_young_poisson(25e9, 0.2)),
+            density: 2500.0,
+            quadrature,
+            viscosity: 0.0,
+        };
+        // Finest below, or at the edges: the first runs along the plate, the second across it.
+        let differ = |wished: fn([f64; 3]) -> u8| {
+            let ready = Ready::new(Problem::new(mesh.clone(), vec![body.clone()])).levelled(wished);
+            let level = |n: usize| ready.model.nodes.level[n];
+            (1..ready.model.mesh_node.len()).any(|n| level(n) != level(0))
+        };
+        [differ(|[_, _, z]| u8::from(z > 0.5)), differ(|[x, ..]| u8::from(x > 4.5))]
+    };
+    assert_eq!(apart(2, Quadrature::Full), [false, true]);
+    assert_eq!(apart(3, Quadrature::Full), [false, true]);
+    assert_eq!(apart(4, Quadrature::Full), [true, true]);
+    assert_eq!(apart(2, Quadrature::OnePoint), [true, true]);
 }

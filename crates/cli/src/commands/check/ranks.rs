@@ -1,41 +1,52 @@
-//! How a run would be shared out to several ranks.
+//! How a run would be shared out to several ranks, in lines.
 
-use crate::terminal::{bytes, print, sent};
-use tremolite::Division;
-use tremolite::job::Job;
+use crate::terminal::{bytes, duration, print, sent};
+use tremolite::scaling::{Network, Seconds, SharedOut};
 
 /// Rows of a table at most; beyond, the extremes say enough.
 const ROWS: usize = 16;
 
-pub fn print_lines(job: &Job, ranks: u32) {
-    let Job { model, assembly, phase, survey, .. } = job;
-    let division = Division::along_a_curve(model, assembly, ranks);
-    let traffic = phase.traffic(model, assembly, &division);
-    let whole: f64 = division.weights.iter().sum();
+pub fn print_lines(shared: &SharedOut) {
+    let SharedOut { ranks, of_rank, .. } = shared;
     print(&format!("ranks {ranks}"));
-    let imbalance = 100.0 * (division.imbalance() - 1.0);
     print(&format!(
-        "  the one with most work has {imbalance:.1} % more than the mean; parts that crack shift it"
+        "  the one with most work has {:.1} % more than the mean; parts that crack shift it",
+        100.0 * (shared.imbalance - 1.0)
     ));
-    let moved: usize = traffic.iter().map(|one| one.nodes).sum();
-    let again = 100.0 * (moved as f64 / model.nodes.len() as f64 - 1.0);
-    print(&format!("  {again:.1} % of the nodes are moved by one rank more"));
+    print(&format!("  {:.1} % of the nodes are moved by one rank more", 100.0 * shared.moved_again));
     let [most, mean] = [
-        traffic.iter().map(|one| one.bytes).fold(0.0, f64::max),
-        traffic.iter().map(|one| one.bytes).sum::<f64>() / f64::from(ranks),
+        of_rank.iter().map(|one| one.bytes).fold(0.0, f64::max),
+        of_rank.iter().map(|one| one.bytes).sum::<f64>() / f64::from(*ranks),
     ];
     print(&format!("  sent in a step: {} by a rank in the mean, {} at most", sent(mean), sent(most)));
-    print(&format!("  each rank holds the whole model and room for its state, {}", bytes(survey.bytes)));
-    let empty = division.weights.iter().filter(|weight| **weight == 0.0).count();
-    if empty > 0 {
-        print(&format!("  {empty} ranks have no elements: there are {} patches", model.patches.len()));
+    print(&format!("  each rank holds the whole model and room for its state, {}", bytes(shared.memory_bytes)));
+    let idle = of_rank.iter().filter(|one| one.work == 0.0).count();
+    if idle > 0 {
+        print(&format!("  {idle} ranks have no elements: there are {} patches", shared.patches));
     }
-    if traffic.len() <= ROWS {
+    let Seconds { stages, steps, messages, rows } = shared.seconds;
+    print(&format!(
+        "  about {} if each rank had a machine like this one to itself: {} for the stages, {} for the steps of the rank with most work, \
+         {} for messages, {} for rows, which the first rank looks at alone",
+        duration(shared.seconds.all()),
+        duration(stages),
+        duration(steps),
+        duration(messages),
+        duration(rows)
+    ));
+    let Network { latency, bandwidth } = shared.network;
+    print(&format!(
+        "  so {:.0} % of the machines' time is used. Not measured: messages are taken to need {:.0} µs and {:.0} GB/s",
+        100.0 * shared.efficiency,
+        1e6 * latency,
+        1e-9 * bandwidth
+    ));
+    if of_rank.len() <= ROWS {
         print("  rank   work    nodes  neighbours  sent in a step");
-        for (rank, (one, weight)) in traffic.iter().zip(&division.weights).enumerate() {
+        for (rank, one) in of_rank.iter().enumerate() {
             print(&format!(
                 "  {rank:4}  {:4.1} %  {:7}  {:10}  {:>14}",
-                100.0 * weight / whole,
+                100.0 * one.work,
                 one.nodes,
                 one.neighbours,
                 sent(one.bytes)
