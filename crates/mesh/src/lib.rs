@@ -39,7 +39,6 @@ pub mod topology;
 mod trouble;
 pub mod vtk;
 pub mod vtu;
-mod whole_file;
 pub mod write;
 
 pub use mesh::{Element, Face, Mesh, Shape};

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use crate::Mesh;
 use crate::note::Note;
 use crate::trouble::Trouble;
-use crate::whole_file::whole_file;
 
 /// Why a mesh was not written.
 #[derive(Debug, thiserror::Error)]
@@ -72,7 +71,7 @@ pub fn write(path: impl AsRef<Path>, mesh: &Mesh) -> Result<Vec<Note>, WriteErro
 /// As [`write()`].
 pub fn write_as(path: impl AsRef<Path>, mesh: &Mesh, writer: &Writer) -> Result<Vec<Note>, WriteError> {
     let path = path.as_ref();
-    whole_file(path, |out| (writer.write)(mesh, out)).map_err(|trouble| match trouble {
+    tremolite_files::replace(path, |out| (writer.write)(mesh, out)).map_err(|trouble| match trouble {
         Trouble::Io(source) => WriteError::Io { path: path.to_owned(), source },
         Trouble::Mesh(reason) => WriteError::Mesh { path: path.to_owned(), reason },
     })

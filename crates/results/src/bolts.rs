@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::stages::write_rows;
 use crate::table_writer::reopen;
 use crate::{Column, Error, number};
+use tremolite_files::Appended;
 
 /// What stands in the column `stage` in the shaking.
 pub const EARTHQUAKE: &str = "earthquake";
@@ -157,7 +158,7 @@ fn header() -> Vec<u8> {
 /// Writes the file; it grows while the ground shakes.
 #[derive(Debug)]
 pub struct BoltWriter {
-    file: fs::File,
+    file: Appended,
     path: PathBuf,
     bytes: u64,
 }
@@ -168,7 +169,7 @@ impl BoltWriter {
     /// # Errors
     /// [`Error::Io`].
     pub fn create(path: &Path, rows: &[BoltRow]) -> Result<Self, Error> {
-        let file = fs::File::create(path).map_err(Error::io(path, "write this file"))?;
+        let file = Appended::create(path).map_err(Error::io(path, "write this file"))?;
         let mut writer = BoltWriter { file, path: path.to_owned(), bytes: 0 };
         writer.put(&header())?;
         writer.write(rows)?;

@@ -8,8 +8,10 @@ use std::sync::Arc;
 
 use crate::{Error, columns};
 
-/// What stages leave beside a checkpoint for other runs to begin with: the run itself does not go on from it.
+/// What stages leave beside a checkpoint for other runs to begin with: the run itself goes on from it where it has nothing later.
 pub const HAND_OVER: &str = "hand-over.bin";
+/// What a run goes on from, and the one before it, for the case that the last is damaged.
+pub const CHECKPOINTS: [&str; 2] = ["state.bin", "state.earlier.bin"];
 
 /// Files and folders that only a run leaves behind. `case.toml` is not among them: a user may
 /// well keep the case in the folder that is to hold its results.
@@ -91,11 +93,12 @@ impl ResultFolder {
     /// # Errors
     /// As [`ResultFolder::resume`].
     pub fn resume_numbered(parent: &Path, case_name: &str) -> Result<Self, Error> {
-        let candidates = (1..).map(|n| numbered(parent, case_name, n)).take_while(|path| path.is_dir());
-        candidates
+        let candidates = || (1..).map(|n| numbered(parent, case_name, n)).take_while(|path| path.is_dir());
+        let last = || candidates().last().unwrap_or_else(|| numbered(parent, case_name, 1));
+        candidates()
             .filter_map(|path| Self::with_checkpoint(path).ok())
             .last()
-            .ok_or_else(|| no_checkpoint(&numbered(parent, case_name, 1)))?
+            .ok_or_else(|| no_checkpoint(&last()))?
             .locked(true)
     }
 
@@ -110,9 +113,31 @@ impl ResultFolder {
     /// others alone.
     pub fn goes_on(root: &Path) -> bool {
         let folder = ResultFolder { root: root.to_owned(), _lock: None };
-        let ended = folder.summary().exists();
-        let serves = |entry: fs::DirEntry| !ended || entry.file_name() != HAND_OVER;
-        fs::read_dir(folder.checkpoint()).is_ok_and(|mut all| all.any(|entry| entry.is_ok_and(serves)))
+        let has = |name: &str| folder.checkpoint().join(name).is_file();
+        CHECKPOINTS.into_iter().any(has) || has(HAND_OVER) && !folder.summary().exists()
+    }
+
+    /// Whether a run was killed here before it had anything to go on from: it has begun, and neither ended nor left a checkpoint.
+    pub fn was_cut_short(root: &Path) -> bool {
+        let marked = MARKS.iter().any(|mark| root.join(mark).exists());
+        marked && !root.join("summary.json").exists() && !ResultFolder::goes_on(root)
+    }
+
+    /// Waits until the tables that grow are on the disk, as a checkpoint that knows their lengths wants.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn sync(&self) -> Result<(), Error> {
+        for folder in [self.root.clone(), self.own_tables()] {
+            let Ok(entries) = fs::read_dir(&folder) else { continue };
+            for path in entries.flatten().map(|entry| entry.path()) {
+                if path.extension().is_some_and(|x| x == "csv") {
+                    let synced = tremolite_files::Appended::open(&path).and_then(|table| table.sync());
+                    synced.map_err(Error::io(&path, "write this file"))?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Keeps other runs out, by a file that is made if it has to be and stays.
@@ -133,7 +158,7 @@ impl ResultFolder {
 
     /// Makes the folder and its `log.txt`; none if it holds results that must stay.
     fn claim(root: &Path, overwrite: bool) -> Result<Option<Self>, Error> {
-        fs::create_dir_all(root).map_err(Error::io(root, "make this folder"))?;
+        tremolite_files::make_folder(root).map_err(Error::io(root, "make this folder"))?;
         let held = !overwrite && MARKS.iter().any(|mark| root.join(mark).exists());
         // A folder that is refused is left as it is.
         let folder = ResultFolder { root: root.to_owned(), _lock: None }.locked(!held)?;
@@ -149,7 +174,7 @@ impl ResultFolder {
             Err(e) => return Err(Error::io(&folder.log(), "write this file")(e)),
         }
         for path in [folder.fields(), folder.figures()] {
-            fs::create_dir_all(&path).map_err(Error::io(&path, "make this folder"))?;
+            tremolite_files::make_folder(&path).map_err(Error::io(&path, "make this folder"))?;
         }
         Ok(Some(folder))
     }

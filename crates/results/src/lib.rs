@@ -76,7 +76,7 @@ pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
 pub use error::Error;
 pub use field_file::{FieldCell, FieldFile, Scalar};
 pub use fields::Fields;
-pub use folder::{HAND_OVER, ResultFolder};
+pub use folder::{CHECKPOINTS, HAND_OVER, ResultFolder};
 pub use free_field::{FreeField, Station, Velocities};
 pub use interface::{InterfaceSummary, PairPeak, PairPlace};
 pub use materials::{MaterialFacts, MaterialGroup, MaterialValue, Origin};

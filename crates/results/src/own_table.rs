@@ -59,7 +59,7 @@ pub fn add(root: &Path, row: &OwnRow, bytes: Option<u64>) -> Result<u64, Error> 
         }
         None => {
             let folder = root.join("own");
-            fs::create_dir_all(&folder).map_err(Error::io(&folder, "make this folder"))?;
+            tremolite_files::make_folder(&folder).map_err(Error::io(&folder, "make this folder"))?;
             TableWriter::create(&path, &row.columns)?
         }
     };
@@ -80,7 +80,7 @@ pub fn cut_back(root: &Path, kept: &[(&str, u64)]) -> Result<(), Error> {
     // A file of the user's own that happens to lie there does not begin so.
     let ours = |other: &PathBuf| header(other).is_ok_and(|header| header.starts_with(TIME));
     for other in all(root).into_iter().filter(|other| unknown(other) && ours(other)) {
-        fs::remove_file(&other).map_err(Error::io(&other, "remove what came after the checkpoint"))?;
+        tremolite_files::remove(&other).map_err(Error::io(&other, "remove what came after the checkpoint"))?;
     }
     Ok(())
 }

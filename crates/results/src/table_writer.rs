@@ -1,18 +1,18 @@
 //! Histories as a table of numbers: `monitors.csv` and `energy.csv`, written while the run goes on.
 
 use std::collections::HashSet;
-use std::fs;
-use std::io::{Read, Seek, SeekFrom, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::table::is_name;
 use crate::{Column, Error, columns, number};
+use tremolite_files::Appended;
 
 /// Writes a table row by row. Numbers are printed as [`number::push`] does it: no digit is lost,
 /// and equal runs give equal bytes.
 #[derive(Debug)]
 pub struct TableWriter {
-    file: fs::File,
+    file: Appended,
     path: PathBuf,
     columns: usize,
     bytes: u64,
@@ -29,7 +29,7 @@ impl TableWriter {
     pub fn create(path: &Path, columns: &[Column]) -> Result<Self, Error> {
         let header = header(path, columns)?;
         columns::write(path, columns)?;
-        let file = fs::File::create(path).map_err(Error::io(path, "write this file"))?;
+        let file = Appended::create(path).map_err(Error::io(path, "write this file"))?;
         let mut writer =
             TableWriter { file, path: path.to_owned(), columns: columns.len(), bytes: 0, text: header };
         writer.flush()?;
@@ -79,7 +79,7 @@ impl TableWriter {
     /// # Errors
     /// [`Error::Io`].
     pub fn sync(&self) -> Result<(), Error> {
-        self.file.sync_data().map_err(Error::io(&self.path, "write this file"))
+        self.file.sync().map_err(Error::io(&self.path, "write this file"))
     }
 
     fn flush(&mut self) -> Result<(), Error> {
@@ -94,13 +94,9 @@ impl TableWriter {
 ///
 /// # Errors
 /// As [`TableWriter::resume`].
-pub(crate) fn reopen(path: &Path, header: &str, bytes: u64) -> Result<fs::File, Error> {
-    let mut file = fs::OpenOptions::new()
-        .read(true)
-        .write(true)
-        .open(path)
-        .map_err(Error::io(path, "open this file to go on with it"))?;
-    let found = file.metadata().map_err(Error::io(path, "read this file"))?.len();
+pub(crate) fn reopen(path: &Path, header: &str, bytes: u64) -> Result<Appended, Error> {
+    let mut file = Appended::open(path).map_err(Error::io(path, "open this file to go on with it"))?;
+    let found = file.length().map_err(Error::io(path, "read this file"))?;
     if found < bytes {
         let what = format!(
             "{found} bytes long, but the checkpoint was made at {bytes}; put the file of that run back, or \
@@ -114,16 +110,13 @@ pub(crate) fn reopen(path: &Path, header: &str, bytes: u64) -> Result<fs::File, 
     }
     let mut start = vec![0; header.len()];
     let mut end = [0];
-    file.read_exact(&mut start)
-        .and_then(|()| file.seek(SeekFrom::Start(bytes - 1)))
-        .and_then(|_| file.read_exact(&mut end))
+    file.read(0, &mut start)
+        .and_then(|()| file.read(bytes - 1, &mut end))
         .map_err(Error::io(path, "read this file"))?;
     if start != header.as_bytes() || end != *b"\n" {
         return Err(Error::format(path, None, foreign));
     }
-    file.set_len(bytes)
-        .and_then(|()| file.seek(SeekFrom::End(0)))
-        .map_err(Error::io(path, "cut this file at the checkpoint"))?;
+    file.cut(bytes).map_err(Error::io(path, "cut this file at the checkpoint"))?;
     Ok(file)
 }
 

@@ -1,4 +1,5 @@
-//! checkpoint/state.bin: the state and nothing else, so that a run can go on bit for bit.
+//! checkpoint/state.bin: the state and nothing else, so that a run can go on bit for bit. The one before it is kept as
+//! state.earlier.bin, and a run goes on from that where the last is damaged or missing.
 //!
 //! A line that names the format; the length of a JSON header as u64; the header (columns in order, with names, units
 //! and lengths, and the fingerprint of the model); the columns as little-endian numbers; a CRC-32 of all before it.
@@ -8,10 +9,11 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use tremolite_engine::state::{State, StateColumn};
 use tremolite_laws::{Octet, Row};
-use tremolite_results::HAND_OVER;
+use tremolite_results::{CHECKPOINTS, HAND_OVER};
 
 const MAGIC: &[u8] = b"tremolite checkpoint 4\n";
-const FILE: &str = "state.bin";
+/// What is being written, and is none yet.
+const NEXT: &str = "state.next.bin";
 
 /// Why a checkpoint could not be written or read.
 #[derive(Debug, thiserror::Error)]
@@ -35,6 +37,16 @@ pub enum CheckpointError {
     OtherBefore { path: PathBuf },
     #[error("{}: {source}; give the folder of a run that went through its stages", path.display())]
     NoHandOver { path: PathBuf, source: std::io::Error },
+}
+
+impl CheckpointError {
+    /// The file and what is wrong with it, without a remedy.
+    pub fn what(&self) -> String {
+        match self {
+            CheckpointError::Damaged { path, problem } => format!("{}: {problem}", path.display()),
+            other => other.to_string(),
+        }
+    }
 }
 
 #[derive(Serialize, Deserialize)]
@@ -86,12 +98,21 @@ fn restore(column: StateColumn, words: &mut impl Iterator<Item = u64>) {
     }
 }
 
-/// Writes the state into a folder; an older checkpoint there is replaced whole.
+/// Writes the state into a folder; the checkpoint there becomes the earlier one. Tables whose lengths the state knows have to be on the disk
+/// before ([`ResultFolder::sync`](tremolite_results::ResultFolder::sync)).
 ///
 /// # Errors
-/// If the file cannot be written; the older one is then untouched.
+/// If the file cannot be written; older ones are then untouched.
 pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
-    write_file(folder, FILE, state, fingerprint)
+    write_file(folder, NEXT, state, fingerprint)?;
+    let [last, earlier] = CHECKPOINTS.map(|name| folder.join(name));
+    let rename = |from: &Path, to: &Path| {
+        tremolite_files::rename(from, to).map_err(|source| CheckpointError::Io { path: to.into(), source })
+    };
+    if last.exists() {
+        rename(&last, &earlier)?;
+    }
+    rename(&folder.join(NEXT), &last)
 }
 
 /// Writes the state that the shaking begins with beside the checkpoint.
@@ -116,7 +137,7 @@ pub fn read_hand_over(folder: &Path, state: &mut State, fingerprint: u64) -> Res
 
 /// Whether a folder has what [`write_hand_over`] left and no checkpoint: of a run that was killed soon after its stages.
 pub fn is_hand_over_alone(folder: &Path) -> bool {
-    folder.join(HAND_OVER).is_file() && !folder.join(FILE).exists()
+    folder.join(HAND_OVER).is_file() && CHECKPOINTS.iter().all(|name| !folder.join(name).exists())
 }
 
 /// Whether [`read_hand_over`] will take what is there, by its header alone.
@@ -171,17 +192,30 @@ fn write_file(folder: &Path, file: &str, state: &mut State, fingerprint: u64) ->
     }
     bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
     let path = folder.join(file);
-    std::fs::create_dir_all(folder).map_err(|source| CheckpointError::Io { path: folder.into(), source })?;
+    tremolite_files::make_folder(folder).map_err(|source| CheckpointError::Io { path: folder.into(), source })?;
     tremolite_results::replace_file(&path, &bytes)
         .map_err(|e| CheckpointError::Io { path, source: std::io::Error::other(e) })
 }
 
-/// Reads the state that [`write()`] left in a folder into one of the same model.
+/// Reads the state that [`write()`] left in a folder into one of the same model. Where the last is damaged or missing it is the earlier one, and
+/// the error says of the last why.
 ///
 /// # Errors
-/// If there is none, it is damaged, or it is of another model or plan.
-pub fn read(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
-    read_file(folder.join(FILE), state, fingerprint)
+/// If there is none, both are damaged, or the last is of another model or plan.
+pub fn read(
+    folder: &Path,
+    state: &mut State,
+    fingerprint: u64,
+) -> Result<Option<CheckpointError>, CheckpointError> {
+    let [last, earlier] = CHECKPOINTS.map(|name| folder.join(name));
+    match read_file(last, state, fingerprint) {
+        Ok(()) => Ok(None),
+        Err(other @ CheckpointError::Other { .. }) => Err(other),
+        Err(damaged) => match read_file(earlier, state, fingerprint) {
+            Ok(()) => Ok(Some(damaged)),
+            Err(_) => Err(damaged),
+        },
+    }
 }
 
 fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {

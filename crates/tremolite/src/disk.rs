@@ -40,7 +40,8 @@ pub struct Disk {
     pub histories: u64,
     /// Of bolts.csv and the files of bolts, of stages and of the shaking.
     pub bolts: u64,
-    /// Of the checkpoint, which is there while the run goes on and after a stop, and of the rest that another run may begin with.
+    /// Of the checkpoint and the one before it, which are there while the run goes on and after a stop, and of the rest that another run may
+    /// begin with.
     pub checkpoint: u64,
 }
 
@@ -81,7 +82,7 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
                 * columns(model, plan)
                 + if shaken { along_depth_and_period(model, plan) } else { 0 }),
         bolts: bolts(model, plan, steps),
-        checkpoint: 8 * (kept + more + rest + remembered * totals.elements.end as u64),
+        checkpoint: 8 * (2 * (kept + more + remembered * totals.elements.end as u64) + rest),
     }
 }
 

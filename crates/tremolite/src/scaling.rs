@@ -109,8 +109,9 @@ impl SharedOut {
             messages: 0.0,
             rows: checked.seconds() - checked.stage_seconds() - checked.cost * total,
         };
-        // A row needs no more of the state than a checkpoint has.
-        let sent = if division.ranks > 1 { checked.disk.checkpoint as f64 / NETWORK.bandwidth } else { 0.0 };
+        // A row needs no more of the state than one of the two checkpoints has.
+        let state = 0.5 * checked.disk.checkpoint as f64;
+        let sent = if division.ranks > 1 { state / NETWORK.bandwidth } else { 0.0 };
         let rows = if job.motion.is_some() { job.plan.duration / job.plan.histories } else { 0.0 };
         let seconds = Seconds {
             stages: alone.stages * most,

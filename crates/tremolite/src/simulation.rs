@@ -12,7 +12,7 @@ pub use outcome::{Ending, Outcome};
 pub use shaking::Stepping;
 pub use stages::{Cycle, Go, StageEnd};
 
-use crate::checkpoint;
+use crate::checkpoint::{self, CheckpointError};
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::levels::{levels, longest_step};
@@ -135,6 +135,7 @@ pub struct Simulation {
     /// How often it was asked whether to stop, and what any rank has wished for since all were asked.
     asked: u64,
     wished: u64,
+    fallen_back: Option<String>,
 }
 
 /// Askings whether to stop between times at which ranks agree.
@@ -189,6 +190,7 @@ impl Simulation {
             ranks,
             asked: 0,
             wished: 0,
+            fallen_back: None,
         };
         if let Some(ranks) = &simulation.ranks {
             let all = ranks.each(f64::from_bits(fingerprint));
@@ -309,9 +311,35 @@ impl Simulation {
     /// If there is none, or it is damaged or of another model or plan.
     pub fn restore(&mut self) -> Result<(), RunError> {
         let mut state = self.at_rest();
-        checkpoint::read(&self.folder.checkpoint(), &mut state, self.fingerprint)?;
-        (self.state, self.shaking) = (state, None);
-        Ok(())
+        let folder = self.folder.clone();
+        match checkpoint::read(&folder.checkpoint(), &mut state, self.fingerprint) {
+            Ok(damaged) => {
+                let why = damaged.map(|why| why.what());
+                self.fallen_back = why.map(|why| format!("{why}; the run goes on from the checkpoint before"));
+                (self.state, self.shaking) = (state, None);
+                Ok(())
+            }
+            // What the earthquake began with is of the same run.
+            Err(why @ (CheckpointError::Damaged { .. } | CheckpointError::Io { .. }))
+                if self.shake_from(&folder).is_ok() =>
+            {
+                self.fallen_back = Some(format!("{}; the run goes on from where the earthquake began", why.what()));
+                self.shaking = None;
+                Ok(())
+            }
+            Err(why) => Err(why.into()),
+        }
+    }
+
+    /// Writes a checkpoint, once the tables that it knows the lengths of are on the disk.
+    fn keep(&self, state: &mut State) -> Result<(), RunError> {
+        self.folder.sync()?;
+        Ok(checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint)?)
+    }
+
+    /// Why the run does not go on from its last checkpoint, where that is so.
+    pub fn fallen_back(&self) -> Option<&str> {
+        self.fallen_back.as_deref()
     }
 
     /// The step \[s\], and the plan in steps.

@@ -7,7 +7,7 @@ use super::{load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::ranks::{self, Started};
-use crate::terminal::{ProgressLine, tell};
+use crate::terminal::{ProgressLine, say, tell};
 use messages::{Log, after, before, busy, progress, shared_out};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use tremolite::RunError;
 use tremolite::job::{Begun, Caller, Job};
 use tremolite::run::{Control, Progress};
 use tremolite::simulation::{Ending, Start};
-use tremolite_results::ResultFolder;
+use tremolite_results::{Error, ResultFolder, Status, Summary};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -32,7 +32,7 @@ pub struct Args {
     /// Threads to use (all by default); results do not depend on it
     #[arg(long)]
     threads: Option<usize>,
-    /// Go on from the checkpoint of a run that was stopped
+    /// Go on from the checkpoint of a run that was stopped; begin where there is none, and do nothing where the run is complete
     #[arg(long)]
     resume: bool,
     /// Begin with what the run in this folder had come to before its earthquake: same mesh, materials and stages
@@ -94,50 +94,89 @@ fn asked(args: &Args) -> Result<Asked, Failure> {
     Ok(Asked { job, other })
 }
 
-/// The folder of a run, which keeps the case.
-fn begin(args: &Args, job: &Job, start: Start) -> Result<(ResultFolder, Begun), Failure> {
+/// A run in its folder, which keeps the case.
+struct Own {
+    folder: ResultFolder,
+    begun: Begun,
+    /// Whether it goes on from a checkpoint.
+    resumed: bool,
+}
+
+/// Begins a run, or goes on with it; none if it is complete.
+fn begin(args: &Args, job: &Job, other: Option<&ResultFolder>) -> Result<Option<Own>, Failure> {
     let name = job.name();
-    let folder = if args.resume {
-        ResultFolder::resume(args.out.as_deref(), &name)
-    } else {
-        ResultFolder::create(args.out.as_deref(), &name, args.overwrite)
-    }
-    .map_err(Failure::input)?;
-    let begun = job.begin(&folder, start).map_err(|e| match e {
-        RunError::OtherCase { .. } => {
-            Failure::input(format!("{e}; resume with that one, or start again without --resume"))
+    let create = |out: Option<&Path>, overwrite: bool| {
+        ResultFolder::create(out, &name, overwrite).map_err(Failure::input)
+    };
+    let (folder, resumed) = if args.resume {
+        match ResultFolder::resume(args.out.as_deref(), &name) {
+            Ok(folder) if is_done(folder.root()) => return complete(folder.root()),
+            Ok(folder) => (folder, true),
+            // A job that is put in the queue again is the same command: what has not begun begins.
+            Err(Error::NoResults { path, .. }) if ResultFolder::was_cut_short(&path) => {
+                job.check_kept(&path).map_err(other_case)?;
+                (create(Some(&path), true)?, false)
+            }
+            Err(Error::NoResults { path, .. }) if is_done(&path) => return complete(&path),
+            Err(Error::NoResults { path, .. }) if !path.join("summary.json").exists() => {
+                (create(args.out.as_deref(), false)?, false)
+            }
+            Err(why) => return Err(Failure::input(why)),
         }
-        e => Failure::failed(e),
-    })?;
-    Ok((folder, begun))
+    } else {
+        (create(args.out.as_deref(), args.overwrite)?, false)
+    };
+    let start = match (resumed, other) {
+        (true, _) => Start::Resume,
+        (false, Some(other)) => Start::From(other),
+        (false, None) => Start::Rest,
+    };
+    let begun = job.begin(&folder, start).map_err(other_case)?;
+    Ok(Some(Own { folder, begun, resumed }))
+}
+
+fn other_case(why: RunError) -> Failure {
+    match why {
+        RunError::OtherCase { .. } => {
+            Failure::input(format!("{why}; resume with that one, or start again without --resume"))
+        }
+        why => Failure::failed(why),
+    }
+}
+
+/// Nothing is left to do, but for the page of a run that was killed before it had one.
+fn complete(root: &Path) -> Result<Option<Own>, Failure> {
+    say(&format!("{}: this run is complete: there is nothing to go on with", root.display()));
+    if !root.join("report.html").exists() {
+        tremolite_report::write(root).map_err(Failure::failed)?;
+    }
+    Ok(None)
+}
+
+/// Whether a run ended as it should.
+fn is_done(root: &Path) -> bool {
+    Summary::read(&root.join("summary.json")).is_ok_and(|summary| summary.conclusion.status == Status::Done)
 }
 
 /// Runs what is asked for, alone or with other ranks.
 fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<&Started>) -> Outcome {
     let warned = !job.said().is_empty();
-    let start = match &other {
-        Some(other) => Start::From(other),
-        None if args.resume => Start::Resume,
-        None => Start::Rest,
-    };
     let first = started.is_none_or(Started::is_first);
-    let own = if first { Some(begin(args, &job, start)) } else { None };
-    let (folder, begun) = match (own, started) {
+    let own = if first { Some(begin(args, &job, other.as_ref())) } else { None };
+    let own = match (own, started) {
         (Some(own), None) => own?,
         (Some(own), Some(started)) => {
             let own = started.together(own)?;
-            started.told_by_first(&own.0.root().to_string_lossy());
+            started.told_by_first(&told(own.as_ref()));
             own
         }
         (None, Some(started)) => {
             started.together(Ok(()))?;
-            let folder = ResultFolder::open_existing(Path::new(&started.told_by_first("")))
-                .map_err(Failure::failed)?;
-            let begun = job.join(&folder, start);
-            (folder, begun)
+            joined(&job, &started.told_by_first(""), other.as_ref())?
         }
         (None, None) => return Err(Failure::failed("no rank is the first")),
     };
+    let Some(Own { folder, begun, .. }) = own else { return Ok(Code::Done) };
     let mut log = if first { Log::open(&folder) } else { Log::none() };
     let caller = Caller {
         program: format!("tremolite {}", env!("CARGO_PKG_VERSION")),
@@ -170,6 +209,9 @@ fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<
     };
     let mut control = Control { stop: &stop, progress: &mut tell };
     let simulation = begun.simulation_among(&job, Vec::new(), ranks.clone());
+    if let Some(why) = simulation.as_ref().ok().and_then(|simulation| simulation.fallen_back()).filter(|_| first) {
+        log.say(&format!("warning: {why}"));
+    }
     let outcome = simulation.and_then(|simulation| tremolite::run::run(simulation, &mut control));
     line.end();
     let outcome = outcome.map_err(Failure::failed)?;
@@ -189,6 +231,30 @@ fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<
         Ending::Failed { .. } | Ending::Restless { .. } | Ending::SnappedBack { .. } => Code::Failed,
         Ending::Stopped => Code::Stopped,
     })
+}
+
+/// What the first rank tells the others of its run.
+fn told(own: Option<&Own>) -> String {
+    own.map_or(String::new(), |Own { folder, resumed, .. }| {
+        format!("{}{}", if *resumed { GOES_ON } else { BEGINS }, folder.root().display())
+    })
+}
+
+const GOES_ON: char = '+';
+const BEGINS: char = '-';
+
+/// The run that the first rank has begun.
+fn joined(job: &Job, told: &str, other: Option<&ResultFolder>) -> Result<Option<Own>, Failure> {
+    let Some(root) = told.strip_prefix([GOES_ON, BEGINS]) else { return Ok(None) };
+    let resumed = told.starts_with(GOES_ON);
+    let folder = ResultFolder::open_existing(Path::new(root)).map_err(Failure::failed)?;
+    let start = match (resumed, other) {
+        (true, _) => Start::Resume,
+        (false, Some(other)) => Start::From(other),
+        (false, None) => Start::Rest,
+    };
+    let begun = job.join(&folder, start);
+    Ok(Some(Own { folder, begun, resumed }))
 }
 
 /// Why a case cannot begin with the rest of the run in `from`.

@@ -58,7 +58,7 @@ fn a_case_without_an_earthquake_runs_its_stages_and_says_nothing_of_shaking() {
     assert!(faces("stage-001.vtu") == 0 && faces("stage-002.vtu") > 0);
     // What it leaves for earthquakes is nothing to go on from.
     let resumed = run(folder, "out", &["--resume"]);
-    assert_eq!(code(&resumed), 2);
+    assert_eq!(code(&resumed), 0);
     assert!(errors(&resumed).contains("this run is complete"), "{}", errors(&resumed));
     let (found, text, warned) = check(folder);
     assert_eq!((&found["time_step"], &found["motion"]), (&Value::Null, &Value::Null));
@@ -399,4 +399,45 @@ fn a_group_may_go_and_its_lining_begin_in_one_stage() {
     let (found, ..) = check(folder);
     assert_eq!(found["stages"][1]["gone"], 32);
     assert_eq!(found["stages"][1]["begun"], 24);
+}
+
+/// A job that is put in the queue again is the same command.
+#[test]
+fn one_command_begins_goes_on_and_leaves_a_complete_run_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, LATERAL, STAGES, "");
+    let again = || run(folder, "out", &["--resume"]);
+    let begun = again();
+    assert_eq!(code(&begun), 0, "{}", errors(&begun));
+    let whole = [bytes(folder, "out", "stages.csv"), bytes(folder, "out", "summary.json")];
+    let complete = again();
+    assert_eq!(code(&complete), 0);
+    assert!(errors(&complete).contains("this run is complete"), "{}", errors(&complete));
+    assert!(whole[1] == bytes(folder, "out", "summary.json"), "it is left as it is");
+    // Killed as its page was made.
+    std::fs::remove_file(folder.join("out/report.html")).unwrap();
+    assert_eq!(code(&again()), 0);
+    assert!(bytes(folder, "out", "report.html").len() > 10_000);
+
+    // Killed before it had anything to go on from.
+    let out = folder.join("out");
+    std::fs::remove_dir_all(out.join("checkpoint")).unwrap();
+    std::fs::remove_file(out.join("summary.json")).unwrap();
+    std::fs::write(out.join("stages.csv"), "half a li").unwrap();
+    change(folder, "young = \"2 GPa\"", "young = \"3 GPa\"");
+    let other = again();
+    assert_eq!(code(&other), 2, "{}", errors(&other));
+    case(folder, LATERAL, STAGES, "");
+    let cut_short = again();
+    assert_eq!(code(&cut_short), 0, "{}", errors(&cut_short));
+    assert!(whole[0] == bytes(folder, "out", "stages.csv"));
+
+    // One that failed is nothing to go on with.
+    let summary = std::fs::read_to_string(out.join("summary.json")).unwrap();
+    let failed = summary.replacen("\"status\": \"done\"", "\"status\": \"failed\"", 1);
+    assert!(failed != summary, "{summary}");
+    std::fs::write(out.join("summary.json"), failed).unwrap();
+    let failed = again();
+    assert_eq!(code(&failed), 2, "{}", errors(&failed));
 }

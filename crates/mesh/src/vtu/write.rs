@@ -9,7 +9,6 @@ use flate2::write::ZlibEncoder;
 
 use super::header::{UNIT_KEY, type_name};
 use super::{Array, Grid, Values, VtuError};
-use crate::whole_file::whole_file;
 
 /// Uncompressed length of a block: large enough that zlib's window pays, small enough to stream.
 const BLOCK: usize = 1 << 18;
@@ -24,7 +23,7 @@ impl Grid {
     /// If the grid contradicts itself (see [`Grid::check`]), or the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), VtuError> {
         self.check().map_err(|reason| VtuError::Grid { path: path.to_owned(), reason })?;
-        whole_file(path, |out| self.write_to(out))
+        tremolite_files::replace(path, |out| self.write_to(out))
             .map_err(|source| VtuError::Io { path: path.to_owned(), source })
     }
 

@@ -17,7 +17,7 @@ fn runs_of_one_case_are_numbered_on_and_the_last_with_a_checkpoint_is_resumed() 
     assert!(matches!(none, Err(Error::NoResults { .. })));
     for name in ["cavern", "cavern-2"] {
         fs::create_dir(temp.path().join(name).join("checkpoint")).unwrap();
-        fs::write(temp.path().join(name).join("checkpoint/state"), "x").unwrap();
+        fs::write(temp.path().join(name).join("checkpoint/state.bin"), "x").unwrap();
     }
     let resumed = ResultFolder::resume_numbered(temp.path(), "cavern").unwrap();
     assert_eq!(resumed.root(), temp.path().join("cavern-2"));

@@ -100,12 +100,22 @@ impl Job {
             {
                 earlier = (if wall_seconds.is_finite() { wall_seconds } else { 0.0 }, run.resumed + 1);
             }
-            if std::fs::read(folder.case()).is_ok_and(|kept| kept != source) {
-                return Err(RunError::OtherCase { case: self.case.path.clone(), kept: folder.case() });
-            }
+            self.check_kept(folder.root())?;
         }
         replace_file(&folder.case(), source)?;
         Ok(Begun { earlier, ..self.join(folder, start) })
+    }
+
+    /// Whether a folder is of this case, or of none.
+    ///
+    /// # Errors
+    /// [`RunError::OtherCase`] if it keeps another.
+    pub fn check_kept(&self, root: &Path) -> Result<(), RunError> {
+        let kept = root.join("case.toml");
+        match std::fs::read(&kept).is_ok_and(|text| text != self.case.source.as_bytes()) {
+            true => Err(RunError::OtherCase { case: self.case.path.clone(), kept }),
+            false => Ok(()),
+        }
     }
 
     /// Joins a run that another rank [began](Job::begin), which keeps the case.

@@ -44,7 +44,7 @@ impl Fields {
             // Files of the state's own time are written again.
             Pvd::resume(&folder.pvd(), setting.time - 0.5 * setting.dt)?
         };
-        std::fs::create_dir_all(folder.fields())
+        tremolite_files::make_folder(&folder.fields())
             .map_err(|source| RunError::Io { path: folder.fields(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
         Ok(Some(Fields { schedule, folder: folder.fields(), list, grid: FieldGrid::of(model, phase) }))

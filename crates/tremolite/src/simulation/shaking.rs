@@ -3,7 +3,6 @@
 use super::Simulation;
 use super::followed::Followed;
 use super::outcome::{Ending, Outcome};
-use crate::checkpoint;
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;
@@ -292,11 +291,11 @@ impl Simulation {
         let mut state = std::mem::take(&mut self.state);
         self.whole(&mut state, To::First);
         let written = match self.writes() {
-            true => checkpoint::write(&self.folder.checkpoint(), &mut state, self.fingerprint),
+            true => self.keep(&mut state),
             false => Ok(()),
         };
         self.state = state;
-        Ok(written?)
+        written
     }
 
     /// Ends the simulation where it stands: writes what is written at the end, and says what is known of the run. Nothing goes on behind it but

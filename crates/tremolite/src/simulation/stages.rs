@@ -86,7 +86,10 @@ impl Simulation {
             let mut state = std::mem::take(&mut self.state);
             self.whole(&mut state, To::First);
             let written = match self.writes() {
-                true => checkpoint::write_hand_over(&self.folder.checkpoint(), &mut state, self.fingerprint),
+                true => self.folder.sync().map_err(RunError::from).and_then(|()| {
+                    let folder = self.folder.checkpoint();
+                    Ok(checkpoint::write_hand_over(&folder, &mut state, self.fingerprint)?)
+                }),
                 false => Ok(()),
             };
             self.state = state;
@@ -171,9 +174,9 @@ impl Simulation {
             }
             if (stop || keep)
                 && self.writes()
-                && let Err(e) = checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint)
+                && let Err(e) = self.keep(state)
             {
-                failed = Some(e.into());
+                failed = Some(e);
                 return false;
             }
             !stop

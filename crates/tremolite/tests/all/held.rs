@@ -14,7 +14,7 @@ use tremolite::{Problem, RunError, Side};
 use tremolite_results::{ResultFolder, Table};
 
 /// Two bodies with a weak joint between them, bolts from the second stage on, free-field sides, two stages, then a pulse.
-fn problem() -> Problem {
+pub fn problem() -> Problem {
     let mut problem = bolted();
     let weak: Vec<_> =
         BANDIS.iter().map(|&(key, x)| (key, if key == "cohesion" { 5e3 } else { x })).collect();
@@ -23,7 +23,7 @@ fn problem() -> Problem {
     problem
 }
 
-fn held_plan() -> Plan {
+pub fn held_plan() -> Plan {
     Plan {
         duration: 0.03,
         fields: Field::ALL.to_vec(),
@@ -70,7 +70,7 @@ fn assert_same(whole: &Path, other: &Path, how: &str) {
 }
 
 /// Through all stages; `between` is called while one is stopped half-way, and after each.
-fn through_stages(simulation: &mut Simulation, between: &mut dyn FnMut(&mut Simulation)) {
+pub fn through_stages(simulation: &mut Simulation, between: &mut dyn FnMut(&mut Simulation)) {
     while let Some(stage) = simulation.stage() {
         let mut cycles = 0;
         let mut watch = |_: &tremolite::simulation::Cycle| {

@@ -26,6 +26,7 @@ mod observers;
 mod outside_law;
 mod outside_part;
 mod poison;
+mod power_loss;
 mod ranks;
 mod ready;
 mod recorded;

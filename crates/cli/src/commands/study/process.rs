@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
-use tremolite_results::{ResultFolder, replace_file};
+use tremolite_results::{CHECKPOINTS, ResultFolder, replace_file};
 use tremolite_study::outcome::RunFolder;
 
 /// How often a process is asked whether it still runs.
@@ -62,7 +62,8 @@ impl Held {
         // What cannot be resumed, of another version, or shared, is refused before any computing.
         let ways = [goes_on, from, Some(vec!["--overwrite".into()])];
         let ways: Vec<Vec<std::ffi::OsString>> = ways.into_iter().flatten().collect();
-        let no_checkpoint = || !self.folder.results().join("checkpoint/state.bin").exists();
+        let checkpoints = self.folder.results().join("checkpoint");
+        let no_checkpoint = || CHECKPOINTS.iter().all(|name| !checkpoints.join(name).exists());
         let from_own_stages = self.goes_on() && no_checkpoint();
         for (k, way) in ways.iter().enumerate() {
             let log = fs::OpenOptions::new().create(true).append(true).open(self.folder.log());

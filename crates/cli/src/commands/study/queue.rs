@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tremolite_case::study::StudyFile;
-use tremolite_results::HAND_OVER;
+use tremolite_results::{CHECKPOINTS, HAND_OVER};
 use tremolite_results::study::{RunStatus, StudyRun};
 use tremolite_study::measure::Results;
 use tremolite_study::outcome::{Outcome, RunFolder};
@@ -80,7 +80,10 @@ pub fn retry(
         let files = match status {
             // What was ended from outside goes on from its checkpoint.
             RunStatus::Broken => vec![folder.broken()],
-            _ => vec![results.join("summary.json"), results.join("checkpoint/state.bin")],
+            _ => {
+                let checkpoints = CHECKPOINTS.map(|name| results.join("checkpoint").join(name));
+                std::iter::once(results.join("summary.json")).chain(checkpoints).collect()
+            }
         };
         for file in files {
             match fs::remove_file(&file) {

@@ -81,7 +81,7 @@ impl Observer for StageGrids {
 
 /// Makes a folder.
 fn make(folder: std::path::PathBuf) -> Result<std::path::PathBuf, RunError> {
-    match std::fs::create_dir_all(&folder) {
+    match tremolite_files::make_folder(&folder) {
         Ok(()) => Ok(folder),
         Err(source) => Err(RunError::Io { path: folder, source }),
     }
