@@ -12,6 +12,8 @@
 //!
 //! A law can also stand in a file of its own ([`LawFile`]), and so can a mesh ([`MeshAlone`]), under the same keys.
 
+#![forbid(unsafe_code)]
+
 pub mod pattern;
 pub mod units;
 

@@ -4,6 +4,8 @@
 //! when it is told to. Everything that a run writes goes through here, so that a test can [record](record) it and ask of every
 //! moment what a machine that lost power there would have left.
 
+#![forbid(unsafe_code)]
+
 mod appended;
 pub mod record;
 

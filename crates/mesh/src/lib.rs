@@ -1,5 +1,7 @@
 //! Meshes of solid elements: the type, generators, readers and writers. No physics.
 
+#![forbid(unsafe_code)]
+
 pub mod abaqus;
 mod assembly;
 pub mod boxes;

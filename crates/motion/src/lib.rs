@@ -28,6 +28,8 @@
 //! # Ok::<(), tremolite_motion::Error>(())
 //! ```
 
+#![forbid(unsafe_code)]
+
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a negated comparison refuses NaN as well")]
 
 mod artificial;

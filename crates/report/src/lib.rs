@@ -7,6 +7,8 @@
 //! [`loops`] draws what comes of a law driven along a path, [`processing`] a record before and after its processing; both from plain
 //! columns.
 
+#![forbid(unsafe_code)]
+
 mod bolts;
 mod chapter;
 pub mod chinese;

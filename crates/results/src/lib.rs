@@ -28,6 +28,8 @@
 //! Histories grow while the run goes on and can be read at any moment. Small files are replaced
 //! whole, so a reader sees the old one or the new one, never half of one.
 
+#![forbid(unsafe_code)]
+
 mod arrays;
 pub mod bolt_group;
 pub mod bolt_lines;

@@ -16,6 +16,8 @@
 //! exceeded, 1 on the border, N and M growing together. A state within has less than 1. It is the usual measure where both grow with
 //! the load; where thrust stays while moment grows, the utilisation by moment at that thrust differs, and only their sides of 1 agree.
 
+#![forbid(unsafe_code)]
+
 mod capacity;
 mod code;
 mod concrete;

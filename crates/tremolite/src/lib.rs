@@ -4,6 +4,8 @@
 //! ([`tremolite_engine`], whose modules are passed on here) and lets [`observers`] look, [`run`] drives it to its end, and
 //! [`summary`] says what came out. A [`job::Job`] holds all of that for a case.
 
+#![forbid(unsafe_code)]
+
 pub mod checkpoint;
 pub mod damage;
 pub mod deconvolution;

@@ -16,6 +16,8 @@
 //! # Ok::<(), tremolite_verify::UnknownName>(())
 //! ```
 
+#![forbid(unsafe_code)]
+
 mod bessel;
 mod bolted;
 pub mod box_size;
