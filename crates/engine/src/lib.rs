@@ -45,6 +45,7 @@ mod sums;
 mod thickness;
 pub mod ties;
 pub mod traction;
+pub mod water;
 
 pub use assembly::Assembly;
 pub use body::Body;
@@ -69,6 +70,7 @@ pub use problem::{MOST_LEVELS, Problem, Rayleigh, TimeStep};
 pub use ranks::Ranks;
 pub use state::State;
 pub use traction::Traction;
+pub use water::Water;
 pub use tremolite_kernels::{
     AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Layers, Line, Lines, Points, Quadrature, elastic,
     interface_laws, laws,

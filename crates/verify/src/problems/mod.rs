@@ -82,6 +82,7 @@ problems! {
     gravity_column Test,
     kirsch_hole Test,
     excavated_opening Verify,
+    wet_opening Verify,
     finite_cavern Verify,
     lined_tunnel Verify,
     shotcrete_ring Verify,
