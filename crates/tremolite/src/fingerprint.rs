@@ -102,6 +102,8 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         waves,
         // Change nothing that is remembered.
         bars: _,
+        // That of the model.
+        water: _,
         title: _,
         page: _,
         boundaries: _,

@@ -313,6 +313,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         pairs,
         bolts: at_bolts,
         bars: reinforcement,
+        water: case.water.is_some(),
         sections: judged,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };

@@ -65,6 +65,7 @@ fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
         bolts: Vec::new(),
         sections: Vec::new(),
         bars: 0,
+        water: false,
         relatives: vec![[0, 1]],
     }
 }

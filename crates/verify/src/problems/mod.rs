@@ -77,6 +77,7 @@ problems! {
     interface_bonded Test,
     interface_fault Test,
     loaded_interface Test,
+    wet_joint Test,
     planes_at_rest Test,
     hand_over_wave Test,
     gravity_column Test,
