@@ -66,7 +66,8 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
             let quantity = format!("order of the wall's motion, elastic, α = {alpha}, {word}");
             checks.push(Check::new(NAME, quantity, p, 2.0, 0.4, "1", note).with_order(p));
         }
-        let around = 48;
+        // Of several points the even motion is lost on finer meshes, without dilation, with water or without.
+        let around = if quadrature == Quadrature::Full { 32 } else { 48 };
         for (alpha, [wall, radius], what) in [(Some(1.0), PLASTIC, "wet"), (None, DRY, "dry")] {
             let opened = open(quadrature, alpha, true, around)?;
             let note = "1 %: yield by total stress gives 0.895, no water 0.946";
