@@ -291,7 +291,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         levels: dynamic.levels.value as u8,
     };
     problem.isa = isa;
-    warnings.extend(soaked::warnings(case, &problem.mesh, &staged));
+    warnings.extend(soaked::warnings(case, &problem, &staged));
     let made_of = staged.materials.clone();
     warnings.extend(staged.fill(case, &mut problem));
     water::fill(case, &made_of, &mut problem);

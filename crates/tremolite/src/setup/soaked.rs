@@ -2,10 +2,11 @@
 
 use super::stages::Staged;
 use super::water::{levels, mean, pores};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use tremolite_case::{Case, Diagnostic, MaterialWater};
-use tremolite_engine::{Body, Life, Stage};
+use tremolite_engine::{Body, Life, Problem, Stage};
 use tremolite_mesh::Mesh;
+use tremolite_mesh::topology::{all_faces, face_key};
 
 /// Looks at what has water in its pores, and gives it its weight.
 pub fn soak(case: &Case, mesh: &Mesh, bodies: &mut Vec<Body>, staged: &mut Staged, problems: &mut Vec<Diagnostic>) {
@@ -98,9 +99,11 @@ fn stage_of(life: Life) -> usize {
 }
 
 /// What is unusual about a case's water.
-pub fn warnings(case: &Case, mesh: &Mesh, staged: &Staged) -> Vec<Diagnostic> {
+/// The problem has its mesh as it was read, bodies and interfaces.
+pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
     let (levels, Some(water)) = (levels(case), &case.water) else { return Vec::new() };
-    let mut all = Vec::new();
+    let mesh = &space.mesh;
+    let mut all = tied(case, space, staged);
     // What is taken out below the level leaves its walls under the pressure of still water.
     let below = staged.standing().find(|&(e, body, life)| {
         let Some(Stage::Before(gone)) = life.gone else { return false };
@@ -139,4 +142,43 @@ pub fn warnings(case: &Case, mesh: &Mesh, staged: &Staged) -> Vec<Diagnostic> {
         ));
     }
     all
+}
+
+/// Tight bodies that share faces with ground whose pressure changes after both stand: no water comes between them.
+fn tied(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
+    let (levels, mesh) = (levels(case), &space.mesh);
+    let mut of_element: Vec<Option<(usize, Life)>> = vec![None; mesh.elements.len()];
+    staged.own().for_each(|(e, body, life)| of_element[e as usize] = Some((body, life)));
+    let mut faces: BTreeMap<[u32; 4], Vec<u32>> = BTreeMap::new();
+    all_faces(mesh, None).for_each(|face| faces.entry(face_key(mesh, face)).or_default().push(face.element));
+    let parted = |a: u32, b: u32| {
+        let across = |[first, second]: &[Vec<u32>; 2]| {
+            let has = |side: &Vec<u32>, e: u32| side.binary_search(&e).is_ok();
+            (has(first, a) && has(second, b)) || (has(first, b) && has(second, a))
+        };
+        space.interfaces.iter().any(|interface| across(&interface.sides))
+    };
+    let mut told: BTreeMap<[usize; 2], Diagnostic> = BTreeMap::new();
+    for pair in faces.values().filter(|both| both.len() == 2) {
+        for [tight, rock] in [[pair[0], pair[1]], [pair[1], pair[0]]] {
+            let both = [tight, rock].map(|e| of_element[e as usize]);
+            let [Some((own, life)), Some((beside, of_rock))] = both else { continue };
+            let porous = [own, beside].map(|body| pores(case, staged.materials[body]).is_some());
+            if porous != [false, true] || told.contains_key(&[own, beside]) || parted(tight, rock) {
+                continue;
+            }
+            let from = stage_of(life).max(stage_of(of_rock));
+            let p = |k: usize| mean(case, mesh, rock as usize, levels[k]);
+            let Some(k) = (from + 1..levels.len()).find(|&k| p(k) != p(k - 1)) else { continue };
+            let Some(level) = &case.stages[k - 1].water.level else { continue };
+            let [tight, rock] = [own, beside].map(|body| &space.bodies[body].name);
+            let told_of = Diagnostic::at(
+                level,
+                format!("'{tight}' is tied to '{rock}', whose water changes here: no water comes between them, and it misses the head outside"),
+                "put an [[interface]] without a bond between them: a lining then carries the head; tied it is even pulled by a rise",
+            );
+            told.insert([own, beside], told_of);
+        }
+    }
+    told.into_values().collect()
 }

@@ -100,13 +100,17 @@ impl Staged {
         staged
     }
 
+    /// What each element is made of in the end: the element, its body and its life as that.
+    pub fn own(&self) -> impl Iterator<Item = (u32, usize, Life)> + '_ {
+        let all = (0u32..).zip(self.body_of.iter().zip(&self.lives));
+        all.filter_map(|(e, (body, life))| Some((e, (*body)?, *life)))
+    }
+
     /// All that stands at some time: the element of the mesh in whose place, its body, and from when on there is something of its kind
     /// there and until when.
     pub fn standing(&self) -> impl Iterator<Item = (u32, usize, Life)> + '_ {
-        let own = (0u32..).zip(self.body_of.iter().zip(&self.lives));
-        let own = own.filter_map(|(e, (body, life))| Some((e, (*body)?, *life)));
         let versions = self.versions.iter().map(|version| (version.element, version.body, version.life));
-        let placed = own.chain(versions).map(|(e, body, life)| {
+        let placed = self.own().chain(versions).map(|(e, body, life)| {
             (e, body, Life { born: self.places[e as usize].born, ..life })
         });
         placed.chain(self.stand_ins.iter().copied())
