@@ -314,7 +314,9 @@ impl Initial {
             sides: [side("x")?, side("y")?],
             base: f.word("base", BaseHold::from_word)?,
             gravity: f.number("gravity")?,
-            lateral_of: f.word("lateral_of", LateralOf::from_word).map_or(LateralOf::Effective, |word| word.value),
+            lateral_of: f
+                .word("lateral_of", LateralOf::from_word)
+                .map_or(LateralOf::Effective, |word| word.value),
             stress,
             overburden,
             release_cycles: release_cycles?,

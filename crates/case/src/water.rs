@@ -10,7 +10,8 @@ use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
 const STEADY: &str = "leave it out: steady seepage is not in this version; use `level`";
-const UNDRAINED: &str = "leave it out: an undrained earthquake is not in this version, pressures stay as the stages leave them";
+const UNDRAINED: &str =
+    "leave it out: an undrained earthquake is not in this version, pressures stay as the stages leave them";
 
 /// The word for a pressure that goes by a level, and the one that is to come.
 const LEVEL: &str = "level";
@@ -179,11 +180,7 @@ pub struct StageWater {
 
 impl Water {
     pub(crate) fn read(f: &Fields) -> Option<Self> {
-        Some(Water {
-            unit_weight: f.number("unit_weight")?,
-            level: f.number("level")?,
-            span: f.span.clone(),
-        })
+        Some(Water { unit_weight: f.number("unit_weight")?, level: f.number("level")?, span: f.span.clone() })
     }
 
     /// What lies between keys, and what needs a case with water.
@@ -199,8 +196,18 @@ impl Water {
             return;
         };
         let words = [
-            ("pressure", LEVEL, SEEPAGE, "steady seepage is not in this version: use \"level\", which is right where nothing drains the ground"),
-            ("earthquake", "drained", "undrained", "an undrained earthquake is not in this version: use \"drained\", pressures then stay as the stages leave them"),
+            (
+                "pressure",
+                LEVEL,
+                SEEPAGE,
+                "steady seepage is not in this version: use \"level\", which is right where nothing drains the ground",
+            ),
+            (
+                "earthquake",
+                "drained",
+                "undrained",
+                "an undrained earthquake is not in this version: use \"drained\", pressures then stay as the stages leave them",
+            ),
         ];
         for (key, known, later, instead) in words {
             let Some(word) = water.text(key).filter(|word| word.value != known) else { continue };
@@ -223,7 +230,8 @@ impl Water {
 /// Refuses what says something of water in a case that has none.
 fn without(case: &Fields, materials: &[Material], problems: &mut Vec<Diagnostic>) {
     let of_initial = case.table("initial").and_then(|initial| initial.get("lateral_of"));
-    let of_materials = materials.iter().filter_map(|m| m.fields.get("water")).filter(|node| node.table().is_some());
+    let of_materials =
+        materials.iter().filter_map(|m| m.fields.get("water")).filter(|node| node.table().is_some());
     let of_stages = case.tables("stage").filter_map(|stage| stage.get("water"));
     let of_interfaces = case.tables("interface").filter_map(|interface| interface.get("water"));
     let all = of_initial.into_iter().chain(of_materials).chain(of_stages).chain(of_interfaces);

@@ -33,6 +33,7 @@ mod pair_masses;
 pub mod parts;
 mod patch_part;
 pub mod phase;
+mod pore_forces;
 pub mod prescribed;
 pub mod problem;
 pub mod ranks;
@@ -70,8 +71,8 @@ pub use problem::{MOST_LEVELS, Problem, Rayleigh, TimeStep};
 pub use ranks::Ranks;
 pub use state::State;
 pub use traction::Traction;
-pub use water::Water;
 pub use tremolite_kernels::{
     AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Layers, Line, Lines, Points, Quadrature, elastic,
     interface_laws, laws,
 };
+pub use water::Water;

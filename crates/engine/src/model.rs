@@ -151,7 +151,7 @@ impl Model {
         };
         let mut draft = Draft::of(problem.mesh, problem.bodies, elements, problem.tractions)?;
         let mut water = problem.water;
-        water.check(&draft.mesh, &draft.elements)?;
+        water.check(&draft.mesh, &draft.elements.successors)?;
         let mut boundaries = Boundaries {
             base: problem.base,
             sides: problem.sides,
@@ -174,7 +174,7 @@ impl Model {
         let (outside, slab_bodies) = draft.add_outside(&boundaries, faces.bounds, sides_of, grounds)?;
         draft.finish(user.elements, &boundaries)?;
         let Draft { mesh, bodies, elements, tractions, seams, parted, origin } = draft;
-        water.spread(&mesh, user.nodes, &elements.parents, &origin, &outside);
+        water.spread(&mesh, user.nodes, &elements.parents, &origin, outside.sheets());
         let domains = [user.bodies, slab_bodies];
         let whole = (&mesh, &bodies[..], &elements);
         let Cut { patches, numbering } = cut(whole, &Levels::one(), domains, problem.patch_elements);

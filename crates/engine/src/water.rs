@@ -2,20 +2,17 @@
 //!
 //! Laws see effective stress (`terzaghi1943`): elements begin with C⁻¹(σ₀ + p_i I), σ₀ total, and a change of p moves them by (1 − α)Δp/3K
 //! (`biot1941`), with K of the law's own; total stress is σ' − p I. The pressure is one number an element, the same in all of a stage, so
-//! what it does, ∫Bᵀ(−p I), is a constant force as weight is ([`members`]): kernels know nothing of it, and where there is no water nothing
+//! what it does, ∫Bᵀ(−p I), is a constant force as weight is (`pore_forces.rs`): kernels know nothing of it, and where there is no water nothing
 //! of this is there. A change of pressure is a change of forces, which stages hold and let go like any other.
 //!
 //! It does not model flow, suction, or what deformation does to the pressure.
 
 use crate::error::ModelError;
-use crate::hexahedra::{hex, hex_nodes};
 use crate::interface::Seam;
-use crate::life::{Life, Stage};
-use crate::model::{Elements, Model, Outside};
-use crate::sheet::corners;
-use std::collections::{BTreeMap, BTreeSet};
+use crate::life::Stage;
+use crate::sheet::{Sheet, corners};
+use std::collections::HashMap;
 use tremolite_laws::Moduli;
-use tremolite_laws::shapes::hex8::Hex8;
 use tremolite_mesh::Mesh;
 
 /// Water in a model, as a program states it.
@@ -73,11 +70,11 @@ impl Water {
         factor * spell.nodes[shape.nodes[1] as usize]
     }
 
-    /// Refuses what does not fit a mesh.
+    /// Refuses what does not fit a mesh, or elements that take over from others (later → earlier).
     ///
     /// # Errors
     /// If lists have other lengths than the mesh, or numbers that cannot be.
-    pub(crate) fn check(&self, mesh: &Mesh, elements: &Elements) -> Result<(), ModelError> {
+    pub(crate) fn check(&self, mesh: &Mesh, successors: &HashMap<u32, u32>) -> Result<(), ModelError> {
         let refuse = |reason: String| Err(ModelError::Water { reason });
         let Some(first) = self.spells.first() else { return Ok(()) };
         let (count, nodes) = (mesh.elements.len(), mesh.nodes.len());
@@ -100,7 +97,7 @@ impl Water {
             return refuse(format!("a pressure is {p} Pa: it must be 0 or more"));
         }
         let unlike = |(a, b): (&u32, &u32)| self.is_porous(*a as usize) != self.is_porous(*b as usize);
-        if let Some((later, _)) = elements.successors.iter().filter(|&pair| unlike(pair)).min() {
+        if let Some((later, _)) = successors.iter().filter(|&pair| unlike(pair)).min() {
             let element = mesh.element_id(*later as usize);
             return refuse(format!(
                 "element {element} changes between materials with and without pores: give both `water`, or neither"
@@ -111,10 +108,18 @@ impl Water {
 
     /// Says of elements outside sides, and of copies of nodes, what is said of those that they were made of. `origin` is the node that
     /// each of the user's was before interfaces parted the mesh; empty without.
-    pub(crate) fn spread(&mut self, mesh: &Mesh, users: usize, parents: &[u32], origin: &[u32], outside: &Outside) {
+    pub(crate) fn spread<'s>(
+        &mut self,
+        mesh: &Mesh,
+        users: usize,
+        parents: &[u32],
+        origin: &[u32],
+        sheets: impl Iterator<Item = &'s Sheet>,
+    ) {
         if self.spells.is_empty() {
             return;
         }
+        let sheets: Vec<&Sheet> = sheets.collect();
         let of_parents = |list: &[f64]| parents.iter().map(|&e| list[e as usize]).collect();
         self.biot = of_parents(&self.biot);
         for spell in &mut self.spells {
@@ -123,7 +128,7 @@ impl Water {
             let of = |n: usize| origin.get(n).map_or(n, |&n| n as usize);
             let mut nodes: Vec<f64> = (0..users).map(|n| given[of(n)]).collect();
             nodes.resize(mesh.nodes.len(), 0.0);
-            for corner in outside.sheets().flat_map(|s| &s.twins).flat_map(|&twin| corners(mesh, twin)) {
+            for corner in sheets.iter().flat_map(|s| &s.twins).flat_map(|&twin| corners(mesh, twin)) {
                 nodes[corner.front as usize] = nodes[corner.source as usize];
                 nodes[corner.back as usize] = nodes[corner.source as usize];
             }
@@ -151,98 +156,4 @@ pub(crate) fn earlier(stage: Stage) -> Option<Stage> {
         Stage::Before(k) => k.checked_sub(1).map(Stage::Before),
         Stage::Shaking => None,
     }
-}
-
-/// V b of each corner \[m²\]: ∫∂N/∂x dV.
-fn gradients(hex: &Hex8) -> [[f64; 3]; 8] {
-    let mut all = [[0.0; 3]; 8];
-    for (corner, own) in all.iter_mut().enumerate() {
-        for (axis, b) in own.iter_mut().enumerate() {
-            let mut u = [[0.0; 3]; 8];
-            u[corner][axis] = 1.0;
-            *b = hex.volume * hex.mean_strain(&u)[axis];
-        }
-    }
-    all
-}
-
-/// Forces on engine nodes while they stay the same, and whether they are those of ground outside.
-pub(crate) struct Acting {
-    pub life: Life,
-    pub outside: bool,
-    /// Engine node and force \[N\], ascending.
-    pub forces: Vec<(u32, [f64; 3])>,
-}
-
-/// Times before the shaking in which nothing changes of what is there, by these lives and the spells of a water.
-fn spans(water: &Water, lives: impl Iterator<Item = Life>) -> Vec<Life> {
-    let mut changes: BTreeSet<Stage> = water.spells.iter().map(|spell| spell.from).collect();
-    for life in lives {
-        changes.insert(life.born);
-        changes.extend(life.gone);
-    }
-    let mut starts: Vec<Stage> = changes.into_iter().filter(|stage| *stage < Stage::Shaking).collect();
-    starts.push(Stage::Shaking);
-    starts.windows(2).map(|pair| Life { born: pair[0], gone: Some(pair[1]) }).collect()
-}
-
-/// What the pressure in pores pushes with, ∫Bᵀ p I, before the shaking.
-pub(crate) fn in_pores(model: &Model) -> Vec<Acting> {
-    let water = &model.water;
-    if water.spells.is_empty() {
-        return Vec::new();
-    }
-    let wet = |e: &u32| water.wets(*e as usize);
-    let patches: Vec<_> = model.patches.iter().filter(|patch| patch.elements.iter().any(wet)).collect();
-    let mut acting = Vec::new();
-    for life in spans(water, patches.iter().map(|patch| patch.life)) {
-        for outside in [false, true] {
-            let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
-            let there = |patch: &&&crate::model::Patch| {
-                (patch.domain != crate::node_table::Domain::Model) == outside && patch.life.holds(life.born)
-            };
-            for &e in patches.iter().filter(there).flat_map(|patch| &patch.elements) {
-                let p = water.pressure(e as usize, life.born);
-                // Every element of a patch was checked.
-                let (true, Ok(hex)) = (p > 0.0, hex(&model.mesh, e as usize)) else { continue };
-                let nodes = hex_nodes(&model.mesh, e as usize);
-                for (node, b) in nodes.into_iter().zip(gradients(&hex)) {
-                    let sum = forces.entry(model.engine_node[node as usize]).or_default();
-                    (0..3).for_each(|i| sum[i] += p * b[i]);
-                }
-            }
-            let forces: Vec<_> = forces.into_iter().collect();
-            if !forces.is_empty() {
-                acting.push(Acting { life, outside, forces });
-            }
-        }
-    }
-    acting
-}
-
-/// What the water in an interface pushes its two sides apart with, before the shaking.
-pub(crate) fn in_seam(model: &Model, seam: &Seam) -> Vec<Acting> {
-    let water = &model.water;
-    if water.spells.is_empty() {
-        return Vec::new();
-    }
-    let mut acting = Vec::new();
-    for life in spans(water, seam.lives.iter().copied()) {
-        let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
-        for (k, pair) in seam.pairs.iter().enumerate().filter(|(k, _)| seam.lives[*k].holds(life.born)) {
-            let push = water.in_pair(seam, k, life.born) * pair.normal_area;
-            if push == 0.0 {
-                continue;
-            }
-            for (node, sign) in pair.nodes.into_iter().zip([-1.0, 1.0]) {
-                let sum = forces.entry(model.engine_node[node as usize]).or_default();
-                (0..3).for_each(|i| sum[i] += sign * push * pair.normal[i]);
-            }
-        }
-        let forces: Vec<_> = forces.into_iter().collect();
-        if !forces.is_empty() {
-            acting.push(Acting { life, outside: seam.of.is_some(), forces });
-        }
-    }
-    acting
 }

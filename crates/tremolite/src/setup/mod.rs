@@ -23,12 +23,12 @@ mod reinforcement;
 mod sections;
 mod sides;
 mod site;
-mod stages;
 mod soaked;
+mod stages;
 mod unlikely;
 mod warnings;
-mod wave_sides;
 mod water;
+mod wave_sides;
 mod waves;
 
 pub use facts::{MotionFacts, SiteFacts, WaveFacts};

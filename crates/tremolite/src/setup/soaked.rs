@@ -9,7 +9,13 @@ use tremolite_mesh::Mesh;
 use tremolite_mesh::topology::{all_faces, face_key};
 
 /// Looks at what has water in its pores, and gives it its weight.
-pub fn soak(case: &Case, mesh: &Mesh, bodies: &mut Vec<Body>, staged: &mut Staged, problems: &mut Vec<Diagnostic>) {
+pub fn soak(
+    case: &Case,
+    mesh: &Mesh,
+    bodies: &mut Vec<Body>,
+    staged: &mut Staged,
+    problems: &mut Vec<Diagnostic>,
+) {
     if case.water.is_some() && problems.is_empty() {
         check(case, mesh, bodies, staged, problems);
         saturate(case, mesh, bodies, staged);
@@ -36,9 +42,9 @@ fn check(case: &Case, mesh: &Mesh, bodies: &[Body], staged: &Staged, problems: &
             )),
             None if !damages => {
                 let of_material = |b: usize| staged.materials[b] == of;
-                let wet = staged.standing().find(|&(e, body, _)| {
-                    of_material(body) && mean(case, mesh, e as usize, highest) > 0.0
-                });
+                let wet = staged
+                    .standing()
+                    .find(|&(e, body, _)| of_material(body) && mean(case, mesh, e as usize, highest) > 0.0);
                 if let Some((e, ..)) = wet {
                     problems.push(Diagnostic::at(
                         &material.name,
@@ -62,7 +68,8 @@ fn saturate(case: &Case, mesh: &Mesh, bodies: &mut Vec<Body>, staged: &mut Stage
     let levels = levels(case);
     let gravity = case.initial.gravity.value;
     for b in 0..if levels.is_empty() { 0 } else { bodies.len() } {
-        let Some(weight) = pores(case, staged.materials[b]).and_then(|p| p.saturated_unit_weight.as_ref()) else {
+        let Some(weight) = pores(case, staged.materials[b]).and_then(|p| p.saturated_unit_weight.as_ref())
+        else {
             continue;
         };
         let all: Vec<(u32, bool)> = staged
@@ -115,7 +122,8 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
             Some(Stage::Before(k)) => k,
             _ => 0,
         };
-        let name = case.stages.get(usize::from(stage).saturating_sub(1)).map_or("", |s| s.name.value.as_str());
+        let name =
+            case.stages.get(usize::from(stage).saturating_sub(1)).map_or("", |s| s.name.value.as_str());
         all.push(Diagnostic::at(
             &water.level,
             format!(
@@ -137,7 +145,10 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
     if levels[0] > high[2] {
         all.push(Diagnostic::at(
             &water.level,
-            format!("the water level lies above the model, which ends at z = {} m: nothing presses on its top", high[2]),
+            format!(
+                "the water level lies above the model, which ends at z = {} m: nothing presses on its top",
+                high[2]
+            ),
             "give the water above by [initial] overburden, or lower the level",
         ));
     }
@@ -174,7 +185,9 @@ fn tied(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
             let [tight, rock] = [own, beside].map(|body| &space.bodies[body].name);
             let told_of = Diagnostic::at(
                 level,
-                format!("'{tight}' is tied to '{rock}', whose water changes here: no water comes between them, and it misses the head outside"),
+                format!(
+                    "'{tight}' is tied to '{rock}', whose water changes here: no water comes between them, and it misses the head outside"
+                ),
                 "put an [[interface]] without a bond between them: a lining then carries the head; tied it is even pulled by a rise",
             );
             told.insert([own, beside], told_of);

@@ -110,9 +110,10 @@ impl Staged {
     /// there and until when.
     pub fn standing(&self) -> impl Iterator<Item = (u32, usize, Life)> + '_ {
         let versions = self.versions.iter().map(|version| (version.element, version.body, version.life));
-        let placed = self.own().chain(versions).map(|(e, body, life)| {
-            (e, body, Life { born: self.places[e as usize].born, ..life })
-        });
+        let placed = self
+            .own()
+            .chain(versions)
+            .map(|(e, body, life)| (e, body, Life { born: self.places[e as usize].born, ..life }));
         placed.chain(self.stand_ins.iter().copied())
     }
 
@@ -121,7 +122,8 @@ impl Staged {
         let own = (0u32..).zip(self.body_of.iter_mut().flatten());
         let stand_ins = self.stand_ins.iter_mut().map(|(e, body, _)| (*e, body));
         let versions = self.versions.iter_mut().map(|version| (version.element, &mut version.body));
-        for (_, body) in own.chain(stand_ins).chain(versions).filter(|(e, body)| **body == from && which(*e)) {
+        for (_, body) in own.chain(stand_ins).chain(versions).filter(|(e, body)| **body == from && which(*e))
+        {
             *body = to;
         }
     }

@@ -46,7 +46,9 @@ pub fn mean(case: &Case, mesh: &Mesh, element: usize, level: f64) -> f64 {
 /// where `lateral` is of total stresses.
 pub fn beside_lateral(case: &Case, mesh: &Mesh, materials: &[usize], at_start: &[Option<usize>]) -> Vec<f64> {
     let levels = levels(case);
-    let (Some(&level), LateralOf::Effective) = (levels.first(), case.initial.lateral_of) else { return Vec::new() };
+    let (Some(&level), LateralOf::Effective) = (levels.first(), case.initial.lateral_of) else {
+        return Vec::new();
+    };
     let porous = |body: &Option<usize>| body.is_some_and(|b| pores(case, materials[b]).is_some());
     let of = |(e, body)| if porous(body) { mean(case, mesh, e, level) } else { 0.0 };
     at_start.iter().enumerate().map(of).collect()
