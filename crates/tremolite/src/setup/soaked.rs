@@ -179,8 +179,9 @@ fn tied(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
                 continue;
             }
             let from = stage_of(life).max(stage_of(of_rock));
+            let stand = |k: usize| [life, of_rock].iter().all(|life| life.holds(Stage::Before(k as u16)));
             let p = |k: usize| mean(case, mesh, rock as usize, levels[k]);
-            let Some(k) = (from + 1..levels.len()).find(|&k| p(k) != p(k - 1)) else { continue };
+            let Some(k) = (from + 1..levels.len()).find(|&k| stand(k) && p(k) != p(k - 1)) else { continue };
             let Some(level) = &case.stages[k - 1].water.level else { continue };
             let [tight, rock] = [own, beside].map(|body| &space.bodies[body].name);
             let told_of = Diagnostic::at(
