@@ -129,7 +129,7 @@ const BAD: &[Bad] = &[
     bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
     bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
     // What later versions bring
-    bad("[initial]", "[water]\nlevel = \"3 m\"\n[initial]", "water", "`water` is not available yet", "no pore water"),
+    bad("[initial]", "[water]\nlevel = \"3 m\"\nheads = 1\n[initial]", "heads", "`heads` is not available yet", "seepage"),
     bad("language = \"zh\"", "language = \"fr\"", "\"fr\"", "`language`", "zh"),
     bad("damping = { rayleigh", "damping = { ratio = 0.03, rayleigh", "ratio", "`ratio` has a meaning only beside `band`", "leave it out"),
     // TOML
@@ -201,7 +201,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
             (line("[motion]"), "`kind` is missing in `motion`"),
             (line("safety"), "`safety` must be above 0 and at most 1"),
             (line("\"Q\""), "there is no monitor `Q`"),
-            (line("[water]"), "`water` is not available yet"),
+            (line("[water]"), "`level` is missing in `water`"),
         ]
     );
 }
