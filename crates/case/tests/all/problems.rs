@@ -40,7 +40,7 @@ const BAD: &[Bad] = &[
     bad("overburden =", "overburdn = 1\noverburden =", "overburdn", "no key of `mesh.caverns`", "did you mean `overburden`?"),
     bad("safety = 0.8", "safety = 0.8\ndt = 3", "dt", "no key of `dynamic`", "`dt` belongs to [motion.east]"),
     bad("safety = 0.8", "safety = 0.8\ntitle = 3", "title", "no key of `dynamic`", "`title` belongs above all tables"),
-    bad("poisson = 0.25", "poisson = 0.25\ncohesion = 3", "cohesion", "no key of `material.rock`", "keys here: law, density, unit_weight, young, poisson"),
+    bad("poisson = 0.25", "poisson = 0.25\ncohesion = 3", "cohesion", "no key of `material.rock`", "keys here: law, density, unit_weight, water, young, poisson"),
     bad("kind = \"within\"\ndepth = \"50 m\"\n", "", "[motion]", "`kind` is missing", "\"outcrop\" | \"incident\" | \"within\" | \"surface\""),
     bad("depth = \"50 m\"\n", "", "[motion]", "`depth` is missing", "depth = \"… m\""),
     bad("kind = \"within\"\ndepth", "kind = \"surface\"\ndepth", "depth", "only with `kind = \"within\"`", "leave it out"),
