@@ -27,6 +27,7 @@ use crate::reinforcement::{REINFORCEMENT, Reinforcement};
 use crate::seams;
 use crate::section::{SECTION, Section};
 use crate::stage::{STAGE, Stage, Written, in_steps};
+use crate::water::{WATER, Water};
 use crate::{Diagnostic, Report, Spanned, report, syntax};
 
 pub(crate) static CASE: Table = Table {
@@ -74,10 +75,7 @@ pub(crate) static CASE: Table = Table {
         Key::optional("monitor", Kind::Tables(&MONITOR), "no monitors", "Points whose histories are kept"),
         Key::optional("relative", Kind::Tables(&RELATIVE), "", "Pairs of monitors whose difference is kept"),
         Key::default("output", Kind::Table(&OUTPUT), "{}", "What is written, and when"),
-        Key::later(
-            "water",
-            "remove the table: there is no pore water yet; give strengths and unit weights that allow for it",
-        ),
+        Key::optional("water", Kind::Table(&WATER), "", "Water in the pores of the ground"),
         Key::default("report", Kind::Table(&REPORT), "{}", "How the page of the run is set"),
     ],
     choice: &[],
@@ -114,6 +112,8 @@ pub struct Case {
     pub interfaces: Vec<Interface>,
     /// What is there before the earthquake, and how equilibrium is sought.
     pub initial: Initial,
+    /// Water in the pores of the ground.
+    pub water: Option<Water>,
     /// What happens before the earthquake, in this order; names unique.
     pub stages: Vec<Stage>,
     /// Bars in linings.
@@ -208,6 +208,10 @@ impl Case {
             Some(motion) => Some(Motion::read(motion, initial.gravity.value)?),
             None => None,
         };
+        let water = match case.table("water") {
+            Some(water) => Some(Water::read(water)?),
+            None => None,
+        };
         let ground = case.table("mesh").and_then(Ground::read)?;
         let materials: Vec<Material> =
             written.iter().map(|m| Material::read(m, initial.gravity.value)).collect::<Option<_>>()?;
@@ -234,6 +238,7 @@ impl Case {
             regions,
             interfaces,
             initial,
+            water,
             stages,
             reinforcement,
             sections,

@@ -11,6 +11,7 @@ use crate::mesh::{Mesh, check_seams};
 use crate::motion::{self, Motion};
 use crate::section::Section;
 use crate::stage::{Stage, Written};
+use crate::water::Water;
 use crate::{Diagnostic, Spanned, suggest, units};
 use tremolite_laws::parameter::Dimension;
 
@@ -45,6 +46,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Diagnostic>, Vec<D
         ));
     }
     Stage::check(case, written, &mut problems);
+    Water::check(case, materials(case), written.stress, &mut problems);
     stages(case, &mut problems);
     weights(case, &mut problems);
     reference(case, written, &mut problems);

@@ -7,6 +7,7 @@ use tremolite_laws::parameter::Dimension;
 use crate::defaulted::Defaulted;
 use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table, When, words};
+use crate::water::LateralOf;
 use crate::{Diagnostic, Spanned};
 
 const COORDINATE: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
@@ -39,6 +40,13 @@ pub(crate) static INITIAL: Table = Table {
             "",
             "Initial stress by the weight above: horizontal over vertical stress, along x and y or one number for both",
         ),
+        Key::optional(
+            "lateral_of",
+            Kind::Word(LateralOf::WORDS),
+            "",
+            "Of which stresses `lateral` is the ratio where there is water: effective ones, if left out, or total",
+        )
+        .when(When::Beside("lateral")),
         Key::optional(
             "stress",
             Kind::Table(&FIELD),
@@ -196,6 +204,8 @@ pub struct Initial {
     pub gravity: Spanned<f64>,
     /// Nothing: the ground is free of stress.
     pub stress: Option<InitialStress>,
+    /// Of which stresses `lateral` is the ratio, where there is water.
+    pub lateral_of: LateralOf,
     /// Pressure on the top plane, Pa, above 0; only beside a stress.
     pub overburden: Option<Spanned<f64>>,
     /// What holds the sides normal to x and to y, where they are neither periodic nor fixed.
@@ -304,6 +314,9 @@ impl Initial {
             sides: [side("x")?, side("y")?],
             base: f.word("base", BaseHold::from_word)?,
             gravity: f.number("gravity")?,
+            lateral_of: f
+                .word("lateral_of", LateralOf::from_word)
+                .map_or(LateralOf::Effective, |word| word.value),
             stress,
             overburden,
             release_cycles: release_cycles?,

@@ -10,6 +10,7 @@ use crate::check::Checker;
 use crate::fields::{Fields, Node};
 use crate::keys::{Key, Kind, Limit, Table, When};
 use crate::law_table::LawTable;
+use crate::water::{self, OF_INTERFACE};
 use crate::{Spanned, law_key, pattern};
 
 /// The word in place of a law for bodies that share their nodes.
@@ -59,6 +60,7 @@ pub(crate) static INTERFACE: Table = Table {
              element's own highest frequency, against vibrations that sliding feeds",
         )
         .when(OF_A_LAW),
+        Key::optional("water", Kind::Table(&OF_INTERFACE), "", "Water between the two sides").when(OF_A_LAW),
     ],
     choice: &[],
 };
@@ -93,6 +95,8 @@ pub struct Contact {
     pub limit: Spanned<f64>,
     /// Artificial viscosity of the elements beside it, in \[0, 0.5\].
     pub viscosity: Spanned<f64>,
+    /// Share of the ground's water pressure between the two sides, where it is given, in \[0, 1\].
+    pub water: Option<Spanned<f64>>,
 }
 
 impl Interface {
@@ -110,7 +114,9 @@ impl Interface {
         } else {
             let parameters = f.values()?;
             let viscosity = f.number("viscosity")?;
-            Some(Contact { law, parameters, corner: corner?, damping: damping?, limit: limit?, viscosity })
+            let water = water::of_interface(f);
+            let (corner, damping, limit) = (corner?, damping?, limit?);
+            Some(Contact { law, parameters, corner, damping, limit, viscosity, water })
         };
         Some(Interface { name: f.text("name")?, between: sides(f)?, contact, span: f.span.clone() })
     }

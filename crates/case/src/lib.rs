@@ -57,6 +57,7 @@ pub mod study;
 mod suggest;
 mod syntax;
 mod value;
+mod water;
 
 pub use bolts::{BoltBond, BoltPattern, BoltPlace, BoltedFaces, Bolts, Plate};
 pub use case::Case;
@@ -91,3 +92,4 @@ pub use section::{Section, SectionCode};
 pub use spanned::Spanned;
 pub use stage::{Displacement, Moved, Stage};
 pub use suggest::nearest;
+pub use water::{LateralOf, MaterialWater, Pores, StageWater, Water};

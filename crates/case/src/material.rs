@@ -9,6 +9,7 @@ use crate::check::{Checker, given};
 use crate::fields;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::law_table::LawTable;
+use crate::water::{MaterialWater, OF_MATERIAL_KIND};
 use crate::{Spanned, law_key};
 
 /// The keys that every material has; those of its law come from the law.
@@ -23,6 +24,12 @@ pub(crate) static MATERIAL: Table = Table {
             Kind::Number(Dimension::UNIT_WEIGHT, Limit::Positive),
             "",
             "Weight per volume, instead of the density",
+        ),
+        Key::optional(
+            "water",
+            OF_MATERIAL_KIND,
+            "",
+            "Pores, or \"none\"; laws that damage have none. Rock below the water level must say which",
         ),
     ],
     choice: &[&["density"], &["unit_weight"]],
@@ -40,6 +47,8 @@ pub struct Material {
     pub law: Spanned<String>,
     /// kg/m³. A unit weight is divided by the case's gravity.
     pub density: Spanned<f64>,
+    /// Its pores, where it says something of them.
+    pub water: Option<MaterialWater>,
     /// The law's parameters, defaults filled in; the law has accepted them.
     pub parameters: Values,
     /// The header `[material.NAME]`.
@@ -55,6 +64,7 @@ impl Material {
             name: material.name.clone(),
             law: f.text("law")?,
             density: density.or(unit_weight)?,
+            water: MaterialWater::read(f)?,
             parameters: f.values()?,
             span: f.span.clone(),
         })

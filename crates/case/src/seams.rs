@@ -39,6 +39,7 @@ pub(crate) fn interfaces(planes: &[CutPlane], materials: &[Material]) -> Vec<Int
                 damping: at(0.01),
                 limit: at(0.8),
                 viscosity: at(0.06),
+                water: None,
             }),
             span: seam.span.clone(),
         })

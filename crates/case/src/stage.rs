@@ -15,6 +15,7 @@ use crate::fields::Fields;
 use crate::initial::STRESSES;
 use crate::keys::{Key, Kind, Limit, Table};
 use crate::material::VOID;
+use crate::water::{OF_STAGE, StageWater};
 use crate::{Diagnostic, Spanned};
 use displacement::DISPLACEMENT_KIND;
 
@@ -52,6 +53,7 @@ pub(crate) static STAGE: Table = Table {
             "",
             "Pressure from here on, on the faces between the void and a group on either side of them, or on the \"top\"; below 0 it pulls",
         ),
+        Key::optional("water", Kind::Table(&OF_STAGE), "", "Water from here on"),
         Key::optional(
             "displacement",
             DISPLACEMENT_KIND,
@@ -85,6 +87,8 @@ pub struct Stage {
     /// Groups, likewise, on either side of faces that bound the void, or "top"; and the pressure there from here on, Pa;
     /// below 0 a pull.
     pub pressures: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// Water from here on.
+    pub water: StageWater,
     /// Nodes that are moved, and those of other stages where they stand then.
     pub displacements: Vec<Displacement>,
     /// Whether it is the stage itself that moves some.
@@ -118,6 +122,7 @@ impl Stage {
             pressures: pressures
                 .map(|(pattern, node)| Some((pattern.clone(), node.number()?)))
                 .collect::<Option<_>>()?,
+            water: StageWater::read(f)?,
             span: f.span.clone(),
         })
     }
@@ -129,6 +134,7 @@ impl Stage {
             install: Vec::new(),
             materials: Vec::new(),
             pressures: Vec::new(),
+            water: StageWater::default(),
             displacements: Vec::new(),
             bolts: Vec::new(),
             ..of.clone()
@@ -178,6 +184,8 @@ impl Stage {
 pub(crate) struct Written {
     /// An earthquake.
     pub motion: bool,
+    /// Initial stress.
+    pub stress: bool,
     /// Initial stress, or stages.
     pub equilibrium: bool,
     /// A stage that installs something.
@@ -200,6 +208,7 @@ impl Written {
         let each = stages.and_then(DeValue::as_array);
         Written {
             motion: document.contains_key("motion"),
+            stress,
             equilibrium: stages.is_some() || stress,
             installs: stages.is_some()
                 && each.is_none_or(|all| all.iter().any(|v| table(v.get_ref(), &["install"]))),

@@ -9,7 +9,7 @@
 //! step; in K its pairs still take a few per cent of it, and a shear stiffness that is given may take more. But it is no softer than ten
 //! times the elements beside it ([`give`](crate::give)), at the price of a shorter step, where the step is not given.
 
-use crate::assembly::Assembly;
+use crate::assembly::{Assembly, constant};
 use crate::bolting;
 use crate::contacts::{Contacts, LoadedPair};
 use crate::engine::stable_step;
@@ -22,6 +22,7 @@ use crate::model::Model;
 use crate::pair_masses::{PairMasses, Phases};
 use crate::parts::Reads;
 use crate::phase::Phase;
+use crate::pore_forces::in_seam;
 use crate::problem::TimeStep;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -185,10 +186,18 @@ fn add(model: &Model, values: Option<&[Values]>, assembly: &mut Assembly) -> Res
             matches!(parameter.need, Need::Chosen(_)) && !seam.values.0.contains_key(parameter.name)
         });
         let loaded = seam.tractions.iter().zip(&seam.lives).zip(0u32..).zip(&seam.pairs);
-        let loaded = loaded
-            .filter(|(((_, life), _), _)| !life.is_later())
-            .map(|(((&traction, _), pair), shape)| LoadedPair { pair, normal: shape.normal, traction });
+        let effective = |[pressure, t1, t2]: [f64; 3], pair: u32| {
+            [pressure - model.water.in_pair(seam, pair as usize, Stage::Before(0)), t1, t2]
+        };
+        let loaded =
+            loaded.filter(|(((_, life), _), _)| !life.is_later()).map(|(((&traction, _), pair), shape)| {
+                LoadedPair { pair, normal: shape.normal, traction: effective(traction, pair) }
+            });
         let loaded = loaded.collect();
+        for acting in in_seam(model, seam) {
+            let name = format!("water in '{}'", seam.name);
+            members.extend(constant(&name, &acting.forces, &acting.life, !acting.outside));
+        }
         assembly.contacts.push(Contacts {
             law,
             chosen,

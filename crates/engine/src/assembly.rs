@@ -13,8 +13,10 @@ use crate::parts::constant::Constant;
 use crate::parts::loads::{Load, Loads};
 use crate::parts::{Entry, Kept, Motion, Own, StateSizes};
 use crate::patch_part::solid;
+use crate::pore_forces::{Acting, in_pores};
 use crate::state::{Ledger, State};
 use crate::traction::Traction;
+use crate::water::with_pressure;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
@@ -134,6 +136,8 @@ impl Assembly {
         }
         members.extend(weights(model, &members));
         members.extend(model.loading.tractions.iter().flat_map(|traction| of_traction(model, traction)));
+        let of_water = |acting: Acting| constant("water", &acting.forces, &acting.life, !acting.outside);
+        members.extend(in_pores(model).into_iter().flat_map(of_water));
         for make in &model.loading.parts {
             let member = make(&model.mesh, &model.engine_node);
             check(model, &member)?;
@@ -297,7 +301,7 @@ fn of_traction(model: &Model, of: &Traction) -> Vec<Member> {
 }
 
 /// Constant forces before the shaking, in pieces.
-fn constant(name: &str, forces: &[(u32, [f64; 3])], life: &Life, counted: bool) -> Vec<Member> {
+pub(crate) fn constant(name: &str, forces: &[(u32, [f64; 3])], life: &Life, counted: bool) -> Vec<Member> {
     let life = life.and(&Life::BEFORE);
     let piece = |forces: &[(u32, [f64; 3])]| {
         let part = Box::new(Constant::new(forces.iter().copied()));
@@ -306,7 +310,7 @@ fn constant(name: &str, forces: &[(u32, [f64; 3])], life: &Life, counted: bool) 
     forces.chunks(PIECE).map(piece).collect()
 }
 
-/// C⁻¹σ₀ of every element that begins with stress, with the elastic constants that its law has by itself.
+/// C⁻¹σ₀, of effective stress where there is water, of every element that begins with stress, with the elastic constants that its law has by itself.
 fn initial_strains(model: &Model, members: &[Member], slices: &[Slices]) -> Vec<Octet> {
     let mut all = vec![Octet::ZERO; slices.last().map_or(0, |s| s.initial.end)];
     for (member, slices) in members.iter().zip(slices) {
@@ -316,8 +320,14 @@ fn initial_strains(model: &Model, members: &[Member], slices: &[Slices]) -> Vec<
             continue;
         }
         let moduli = model.bodies[patch.body].material.relaxed();
+        // What is placed later has no total stress, and the water that is there in its pores.
+        let initial = |e: usize| match patch.life.is_later() {
+            true => [0.0; 6],
+            false => model.elements.initial.get(e).copied().unwrap_or_default(),
+        };
         for (i, &e) in patch.elements.iter().enumerate() {
-            let strain = moduli.strain(&model.elements.initial[e as usize]);
+            let p = model.water.pressure(e as usize, patch.life.born);
+            let strain = moduli.strain(&with_pressure(initial(e as usize), p));
             for (octet, value) in own[6 * (i / 8)..].iter_mut().zip(strain) {
                 octet.0[i % 8] = value;
             }

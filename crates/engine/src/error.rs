@@ -52,6 +52,8 @@ pub enum ModelError {
         names[0], names[1], ways[0], ways[1]
     )]
     MovedTwice { names: [String; 2], ways: [f64; 2] },
+    #[error("the water cannot be used: {reason}")]
+    Water { reason: String },
     #[error("'{body}' has density {density} kg/m³: it must be positive")]
     Density { body: String, density: f64 },
 }

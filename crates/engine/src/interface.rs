@@ -28,6 +28,9 @@ pub struct Interface {
     /// Artificial viscosity of the elements that have a node on it, where their body has less: share of critical damping at an
     /// element's own highest frequency.
     pub viscosity: f64,
+    /// Share of the pressure that the water of the ground beside it has which acts between its sides, 0 where it is drained. None: all,
+    /// where a side has pores.
+    pub water: Option<f64>,
 }
 
 impl Interface {
@@ -55,6 +58,7 @@ impl Interface {
             damping: Self::DAMPING,
             limit: Self::LIMIT,
             viscosity: Self::VISCOSITY,
+            water: None,
         }
     }
 }
@@ -72,6 +76,8 @@ pub struct Seam {
     pub damping: f64,
     pub limit: f64,
     pub viscosity: f64,
+    /// Share of the ground's water pressure in it ([`Interface::water`]).
+    pub water: Option<f64>,
     pub corner: f64,
     /// Faces of the first side with those of the second.
     pub faces: Vec<[Face; 2]>,

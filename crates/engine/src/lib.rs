@@ -33,6 +33,7 @@ mod pair_masses;
 pub mod parts;
 mod patch_part;
 pub mod phase;
+mod pore_forces;
 pub mod prescribed;
 pub mod problem;
 pub mod ranks;
@@ -46,6 +47,7 @@ mod thickness;
 mod thin;
 pub mod ties;
 pub mod traction;
+pub mod water;
 
 pub use assembly::Assembly;
 pub use body::Body;
@@ -74,3 +76,4 @@ pub use tremolite_kernels::{
     AnyInterface, AnyMaterial, Booked, InterfaceLaw, Law, Layers, Line, Lines, Points, Quadrature, elastic,
     interface_laws, laws,
 };
+pub use water::Water;

@@ -23,6 +23,7 @@ use crate::parts::loads::Load;
 use crate::problem::{MakePart, Problem, Rayleigh, TimeStep};
 use crate::rims::Joint;
 use crate::traction::Traction;
+use crate::water::Water;
 use draft::Draft;
 use numbering::Numbering;
 use std::sync::Arc;
@@ -62,6 +63,8 @@ pub struct Model {
     pub boundaries: Boundaries,
     /// Ground outside its sides.
     pub outside: Outside,
+    /// Water in the pores of its ground, said of slabs and columns as well.
+    pub water: Water,
     /// What acts on it beside them.
     pub loading: Loading,
     /// How it is advanced.
@@ -147,6 +150,8 @@ impl Model {
             ..Elements::default()
         };
         let mut draft = Draft::of(problem.mesh, problem.bodies, elements, problem.tractions)?;
+        let mut water = problem.water;
+        water.check(&draft.mesh, &draft.elements.successors)?;
         let mut boundaries = Boundaries {
             base: problem.base,
             sides: problem.sides,
@@ -168,7 +173,8 @@ impl Model {
         let bolts = draft.cut(problem.bolts);
         let (outside, slab_bodies) = draft.add_outside(&boundaries, faces.bounds, sides_of, grounds)?;
         draft.finish(user.elements, &boundaries)?;
-        let Draft { mesh, bodies, elements, tractions, seams, parted, .. } = draft;
+        let Draft { mesh, bodies, elements, tractions, seams, parted, origin } = draft;
+        water.spread(&mesh, user.nodes, &elements.parents, &origin, outside.sheets());
         let domains = [user.bodies, slab_bodies];
         let whole = (&mesh, &bodies[..], &elements);
         let Cut { patches, numbering } = cut(whole, &Levels::one(), domains, problem.patch_elements);
@@ -189,6 +195,7 @@ impl Model {
             bolts,
             boundaries,
             outside,
+            water,
             loading: Loading { gravity: problem.gravity, tractions, loads, parts: problem.parts },
             domains,
             scheme: Scheme {

@@ -95,7 +95,8 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
             Box::new(PassedOn::new(part, sides.into_iter().collect(), booked))
         }
     };
-    let initial = patch.takes_over || (!model.elements.initial.is_empty() && !patch.life.is_later());
+    let wet = patch.elements.iter().any(|&e| model.water.wets(e as usize));
+    let initial = patch.takes_over || wet || (!model.elements.initial.is_empty() && !patch.life.is_later());
     let member = Member::of(Kind::Patch(number), body.name.clone(), part);
     let mut reads = member.reads.clone();
     reads.elements.extend(patch.elements.iter().filter_map(|e| model.elements.successors.get(e)));

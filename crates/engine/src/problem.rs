@@ -11,6 +11,7 @@ use crate::member::Member;
 use crate::parts::loads::Load;
 use crate::prescribed::Prescribed;
 use crate::traction::Traction;
+use crate::water::Water;
 use std::sync::Arc;
 use tremolite_laws::Isa;
 use tremolite_mesh::Mesh;
@@ -64,6 +65,8 @@ pub struct Problem {
     pub successors: Vec<(u32, u32)>,
     /// Stress \[Pa\] of each element of the mesh before anything moves, of those that are there then; empty for none.
     pub initial: Vec<[f64; 6]>,
+    /// Water in the pores of ground; by default none. The initial stress is then total stress.
+    pub water: Water,
     /// Acceleration \[m/s²\] along −z with which masses weigh down before the shaking, 0 for no weight.
     pub gravity: f64,
     /// Tractions on faces before the shaking, which what is held carries on.
@@ -109,6 +112,7 @@ impl Problem {
             stand_ins: Vec::new(),
             successors: Vec::new(),
             initial: Vec::new(),
+            water: Water::default(),
             gravity: 0.0,
             tractions: Vec::new(),
             base: Base::Free,

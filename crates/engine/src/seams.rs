@@ -116,6 +116,7 @@ pub fn of_problem(
                 damping: interface.damping,
                 limit: interface.limit,
                 viscosity: interface.viscosity,
+                water: interface.water,
                 faces,
                 ends,
             };

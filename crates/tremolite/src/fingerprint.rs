@@ -43,6 +43,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         loading,
         scheme,
         nodes,
+        water,
         // Follow from these, or are what the members below are made of.
         user: _,
         patches: _,
@@ -101,6 +102,8 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         waves,
         // Change nothing that is remembered.
         bars: _,
+        // That of the model.
+        water: _,
         title: _,
         page: _,
         boundaries: _,
@@ -141,6 +144,13 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     space.shown(&(stages, gravity, stand_ins, tractions, bed, prescribed));
     space.shown(lives);
     space.numbers(initial.iter().flatten());
+    if !water.spells.is_empty() {
+        space.numbers(&water.biot);
+        for spell in &water.spells {
+            space.shown(&spell.from);
+            space.numbers(spell.elements.iter().chain(&spell.nodes));
+        }
+    }
 
     let mut time = Hasher(crc32fast::Hasher::new());
     time.shown(&(dt, duration, histories, snapshots, rayleigh, top));

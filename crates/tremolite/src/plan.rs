@@ -157,6 +157,8 @@ pub struct Plan {
     pub bolts: Vec<BoltMonitor>,
     /// So many of the problem's groups of bolts, the last ones, are reinforcement.
     pub bars: usize,
+    /// Whether there is water in the ground, of which results then tell as well.
+    pub water: bool,
     /// By which codes sections of linings are judged.
     pub sections: Vec<JudgedBy>,
     /// Pairs of monitors whose relative displacement is kept.

@@ -10,7 +10,7 @@ pub use bolts::BOLT_LINES;
 pub use fields::{CELLS, Field, field_name, of_element};
 pub use interface::INTERFACE;
 pub use measures::{MEASURES, Measure, SHARE_OF_VOLUME, YIELDED, threshold};
-pub use monitored::{BOLT, MONITOR, MonitorSeen, Moved, OfMonitor, PAIR, RELATIVE, over_yield};
+pub use monitored::{BOLT, MONITOR, MonitorSeen, Moved, OfMonitor, PAIR, RELATIVE, WET, over_yield};
 
 use tremolite_laws::Row;
 

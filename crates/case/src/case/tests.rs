@@ -60,6 +60,10 @@ fn cases() -> Vec<String> {
                  cohesion = \"0.1 MPa\"\nfriction_angle = \"20 deg\"\n[material.rock]",
             )
             .replace("extent = \"80 m\"", "seam = { material = \"clay\", thickness = \"0.1 m\" }"),
+        EVERY_KEY
+            .replace("[material.rock]", "[water]\nlevel = \"3 m\"\n[material.rock]\nwater = { biot = 0.9 }")
+            .replacen("[[stage]]", "[[stage]]\nwater = { level = \"1 m\", filled = { \"top\" = \"2 m\" } }", 1)
+            .replacen("[[interface]]", "[[interface]]\nwater = { drained = true }", 1),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
         with_waves(
             "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n",

@@ -40,7 +40,7 @@ const BAD: &[Bad] = &[
     bad("overburden =", "overburdn = 1\noverburden =", "overburdn", "no key of `mesh.caverns`", "did you mean `overburden`?"),
     bad("safety = 0.8", "safety = 0.8\ndt = 3", "dt", "no key of `dynamic`", "`dt` belongs to [motion.east]"),
     bad("safety = 0.8", "safety = 0.8\ntitle = 3", "title", "no key of `dynamic`", "`title` belongs above all tables"),
-    bad("poisson = 0.25", "poisson = 0.25\ncohesion = 3", "cohesion", "no key of `material.rock`", "keys here: law, density, unit_weight, young, poisson"),
+    bad("poisson = 0.25", "poisson = 0.25\ncohesion = 3", "cohesion", "no key of `material.rock`", "keys here: law, density, unit_weight, water, young, poisson"),
     bad("kind = \"within\"\ndepth = \"50 m\"\n", "", "[motion]", "`kind` is missing", "\"outcrop\" | \"incident\" | \"within\" | \"surface\""),
     bad("depth = \"50 m\"\n", "", "[motion]", "`depth` is missing", "depth = \"… m\""),
     bad("kind = \"within\"\ndepth", "kind = \"surface\"\ndepth", "depth", "only with `kind = \"within\"`", "leave it out"),
@@ -129,7 +129,7 @@ const BAD: &[Bad] = &[
     bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
     bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
     // What later versions bring
-    bad("[initial]", "[water]\nlevel = \"3 m\"\n[initial]", "water", "`water` is not available yet", "no pore water"),
+    bad("[initial]", "[water]\nlevel = \"3 m\"\nheads = 1\n[initial]", "heads", "`heads` is not available yet", "seepage"),
     bad("language = \"zh\"", "language = \"fr\"", "\"fr\"", "`language`", "zh"),
     bad("damping = { rayleigh", "damping = { ratio = 0.03, rayleigh", "ratio", "`ratio` has a meaning only beside `band`", "leave it out"),
     // TOML
@@ -201,7 +201,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
             (line("[motion]"), "`kind` is missing in `motion`"),
             (line("safety"), "`safety` must be above 0 and at most 1"),
             (line("\"Q\""), "there is no monitor `Q`"),
-            (line("[water]"), "`water` is not available yet"),
+            (line("[water]"), "`level` is missing in `water`"),
         ]
     );
 }

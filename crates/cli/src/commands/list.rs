@@ -4,7 +4,7 @@ use crate::exit::{Code, Outcome};
 use crate::terminal::print;
 use tremolite::quantities::{
     BOLT, BOLT_LINES, CELLS, Field, INTERFACE, MEASURES, MONITOR, Measure, PAIR, Quantity, RELATIVE,
-    SHARE_OF_VOLUME,
+    SHARE_OF_VOLUME, WET,
 };
 use tremolite_case::{
     BaseKind, BoltedFaces, Listed, ListedValue, Plate, Side, Top, bolt_keys, interface_keys, mesh_tables,
@@ -175,6 +175,7 @@ fn quantities() {
         }
     }
     table("monitors.csv, NAME.quantity", MONITOR);
+    table("monitors.csv, NAME.quantity where there is water", WET);
     table("monitors.csv, NAME.quantity of monitors with `interface`", PAIR);
     table("monitors.csv, NAME.quantity of monitors with `bolt`", BOLT);
     table("monitors.csv, pairs FIRST-SECOND.quantity", RELATIVE);

@@ -157,7 +157,8 @@ impl Engine {
     }
 
     /// What is seen at a state, from the forces just evaluated there, what parts remember and what was probed.
-    pub(super) fn snapshot(&self, state: &State, kept: Kept, probed: Probed) -> Snapshot {
+    pub(super) fn snapshot(&self, state: &State, kept: Kept, mut probed: Probed) -> Snapshot {
+        let pore = self.soak(&mut probed.stress);
         let Forces { contributions, rates, works, .. } = &self.forces;
         let Measured { energies, books, velocity, acceleration } =
             measure(&self.model, &self.phase, contributions, &rates.products, state);
@@ -203,6 +204,7 @@ impl Engine {
             velocity,
             acceleration,
             stress: probed.stress,
+            pore,
             energy: probed.energy,
             scheme,
             held: moving + stored.map(|&line| balance[line]).sum::<f64>(),

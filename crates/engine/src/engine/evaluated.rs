@@ -80,6 +80,7 @@ impl Engine {
         self.evaluate_at(&mut state, probed.as_mut());
         let snapshot = probed.map(|mut probed| {
             if see == See::Glance {
+                self.soak(&mut probed.stress);
                 self.gather_glanced(&mut probed.stress);
                 let (step, time) = (state.steps(), state.time());
                 let Probed { stress, energy, .. } = probed;
@@ -105,12 +106,15 @@ impl Engine {
     /// Brings together what was seen by several ranks.
     fn gather(&self, snapshot: &mut Snapshot, history: &mut [Octet], numbers: &mut [f64], to: To) {
         let Engine { model, assembly, ranks: Some(ranks), .. } = self else { return };
-        let Snapshot { displacement, velocity, acceleration, stress, energy, .. } = snapshot;
+        let Snapshot { displacement, velocity, acceleration, stress, pore, energy, .. } = snapshot;
         for rows in [displacement, velocity, acceleration] {
             ranks.nodes(model, rows, to);
         }
         ranks.members(assembly, stress, 6, |s| s.points.clone(), to);
         ranks.members(assembly, energy, 5, |s| s.elements.clone(), to);
+        if !pore.is_empty() {
+            ranks.members(assembly, pore, 1, |s| s.elements.clone(), to);
+        }
         ranks.members(assembly, history, 8, |s| s.history.clone(), to);
         ranks.members(assembly, numbers, 1, |s| s.numbers.clone(), to);
     }

@@ -71,7 +71,8 @@ impl Engine {
                 let counts = Some(born(face.element)) == latest;
                 stresses.get(&now(face.element)?).copied().filter(|_| counts)
             };
-            let traction = seam.traction(k, stress);
+            let mut traction = seam.traction(k, stress);
+            traction[0] -= model.water.in_pair(seam, k, phase.stage);
             let [a, b] = seam.pairs[k].nodes.map(|n| state.u[model.engine_node[n as usize] as usize]);
             let d = [0, 1, 2].map(|i| b.0[i] - a.0[i]);
             let loaded = LoadedPair { pair: k as u32, normal: seam.pairs[k].normal, traction };

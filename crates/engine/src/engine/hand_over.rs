@@ -10,6 +10,7 @@ use super::gather::{dot, force};
 use crate::bolts::BoltSet;
 use crate::parts::{Entry, Motion, Scratch};
 use crate::state::State;
+use crate::water::with_pressure;
 use std::collections::HashMap;
 use tremolite_kernels::{Booked, Line, Lines};
 use tremolite_laws::Row;
@@ -144,7 +145,8 @@ impl Engine {
                 for (point, share) in snapshot.as_ref()?.stress[points].iter().zip(shares) {
                     (0..6).for_each(|c| mean[c] += share * point[c]);
                 }
-                return Some(mean);
+                // A bond feels what presses rock on it, not what water does.
+                return Some(with_pressure(mean, model.water.pressure(element as usize, phase.stage)));
             }
             element = *later.get(&element)?;
         };
@@ -183,6 +185,7 @@ impl Engine {
             let (u, du) = (self.named(member, u), self.named(member, du));
             member.part.begin(&Motion::new(&u, &du), own);
         }
+        self.give_way(state);
         self.free_pairs(state);
         if state.datum.is_empty() {
             return;

@@ -51,6 +51,7 @@ mod proof;
 mod rates;
 mod relax;
 mod snapshot;
+mod soaked;
 mod split;
 mod start;
 mod strained;

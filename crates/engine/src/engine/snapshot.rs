@@ -16,8 +16,10 @@ pub struct Snapshot {
     pub velocity: Vec<Row>,
     /// dv/dt \[m/s²\] by engine node.
     pub acceleration: Vec<Row>,
-    /// Stress \[Pa\] of every point, global axes, in the order of members.
+    /// Total stress \[Pa\] of every point, global axes, in the order of members.
     pub stress: Vec<[f64; 6]>,
+    /// Pressure \[Pa\] in the pores of every element, in the order of members, 0 of what has none; empty in a model without water.
+    pub pore: Vec<f64>,
     /// Energies of every element, in the order of members.
     pub energy: Vec<ElementEnergy>,
     /// The energy balance at this time.

@@ -79,6 +79,8 @@ pub const TEXTS: Texts = &[
     // What stages change.
     ("{groups} becomes {material}", "{groups} 变为 {material}"),
     ("{pressure} on {face}", "{face} 上作用 {pressure}"),
+    ("water level at {level}", "地下水位 {level}"),
+    ("{face} full of water to {level}", "{face} 充水至 {level}"),
     ("bolts '{name}' placed", "安装锚杆“{name}”"),
     ("{name} moved to {way} = {to}", "将 {name} 移至 {way} = {to}"),
     (

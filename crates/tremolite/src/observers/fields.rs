@@ -121,6 +121,13 @@ impl FieldGrid {
             Field::Principal => {
                 grid.cell_data.push(self.cells("s1", "Pa", |s| extremes(points(s))[0]));
                 grid.cell_data.push(self.cells("s3", "Pa", |s| extremes(points(s))[1]));
+                let pore = &view.snapshot.pore;
+                if !pore.is_empty() {
+                    let p = |s: &ElementSlot| pore[s.element as usize];
+                    grid.cell_data.push(self.cells("p", "Pa", p));
+                    grid.cell_data.push(self.cells("s1_eff", "Pa", |s| extremes(points(s))[0] + p(s)));
+                    grid.cell_data.push(self.cells("s3_eff", "Pa", |s| extremes(points(s))[1] + p(s)));
+                }
             }
             Field::Envelope => {
                 let Some(most) = memory.get(Envelopes::DISPLACEMENT) else { return };

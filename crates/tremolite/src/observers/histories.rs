@@ -133,7 +133,7 @@ fn still(seen: &StageSeen, monitor: &Monitor) -> Option<MonitorSeen> {
     let stress = stress(view, monitor, element);
     let principal = principal_values(&stress);
     let moved = Moved { u, v: [0.0; 3], a: [0.0; 3], s1_elastic: principal[0] };
-    Some(MonitorSeen { moved, stress, principal })
+    Some(MonitorSeen { moved, stress, principal, pore: pore(view, element) })
 }
 
 /// The pair that a monitor looks at.
@@ -205,6 +205,12 @@ fn stress(view: &View, monitor: &Monitor, element: usize) -> [f64; 6] {
     })
 }
 
+/// Pressure in the pores of an element that stands \[Pa\].
+fn pore(view: &View, element: usize) -> f64 {
+    let slot = view.phase.element_slot[element];
+    slot.and_then(|slot| view.snapshot.pore.get(slot.element as usize).copied()).unwrap_or(0.0)
+}
+
 impl Observer for Histories {
     fn wants(&self) -> Wants {
         Wants { looks: Some(self.schedule), ..self.sees.clone() }
@@ -242,7 +248,8 @@ impl Histories {
             let change = elastic_change(model, monitor, |n| snapshot.displacement[n].xyz());
             let s1_elastic = principal_values(&[0, 1, 2, 3, 4, 5].map(|c| start[c] + change[c]))[0];
             let (principal, moved) = (principal_values(&stress), Moved { u, v, a, s1_elastic });
-            seen.monitors.push(Some(MonitorSeen { moved, stress, principal }));
+            let pore = pore(view, monitor.location.element as usize);
+            seen.monitors.push(Some(MonitorSeen { moved, stress, principal, pore }));
         }
         kept.extend(first);
         let pairs = plan.pairs.iter().zip(&self.pairs);

@@ -3,7 +3,7 @@
 //! One list of cells, a column each with its value, makes headers and rows, whoever saw.
 
 use crate::plan::{Monitor, Plan};
-use crate::quantities::{BOLT, MONITOR, MonitorSeen, PAIR, RELATIVE};
+use crate::quantities::{BOLT, MONITOR, MonitorSeen, PAIR, RELATIVE, WET};
 use tremolite_engine::bolts::SegmentSeen;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_results::{Column, Subject};
@@ -53,7 +53,7 @@ pub fn cells(plan: &Plan) -> Vec<Cell> {
     let name = |monitor: &Monitor| monitor.name.clone();
     for (k, monitor) in plan.monitors.iter().enumerate() {
         let (subject, place) = (Subject::Monitor(name(monitor)), format!("{:?}", monitor.point));
-        for q in MONITOR {
+        for q in MONITOR.iter().chain(WET.iter().filter(|_| plan.water)) {
             let value = |seen: &MonitorSeen| q.value.at(seen);
             add(&subject, &place, (q.name, q.unit), Box::new(move |s| or_nan(s.monitors[k].as_ref(), value)));
         }
@@ -118,7 +118,12 @@ mod tests {
 
     fn monitor(u: [f64; 3]) -> MonitorSeen {
         let moved = Moved { u, v: [4.0, 5.0, 6.0], a: [7.0, 8.0, 9.0], s1_elastic: 19.0 };
-        MonitorSeen { moved, stress: [10.0, 11.0, 12.0, 13.0, 14.0, 15.0], principal: [16.0, 17.0, 18.0] }
+        MonitorSeen {
+            moved,
+            stress: [10.0, 11.0, 12.0, 13.0, 14.0, 15.0],
+            principal: [16.0, 17.0, 18.0],
+            pore: 0.5,
+        }
     }
 
     fn row<'c>(cells: &'c [Cell], seen: &Seen) -> BTreeMap<&'c str, f64> {
@@ -159,6 +164,18 @@ mod tests {
         let others = [("joint.state", 2.0), ("bar.force", -1e5), ("bar.force_over_yield", 0.5)];
         for (name, value) in others.into_iter().chain([("bar.slip", 3.0), ("bar.state", 0.0)]) {
             assert_eq!(row[name], value, "{name}");
+        }
+    }
+
+    #[test]
+    fn with_water_a_monitor_tells_the_pressure_and_effective_stresses_as_well() {
+        let wet = Plan { water: true, ..watched() };
+        let (all, dry) = (cells(&wet), cells(&watched()));
+        assert_eq!(all.len(), dry.len() + 2 * WET.len());
+        let seen = Seen { monitors: vec![Some(monitor([0.0; 3])); 2], pairs: vec![None], bolts: vec![None] };
+        let row = row(&all, &seen);
+        for (name, value) in [("p", 0.5), ("s1_eff", 16.5), ("s2_eff", 17.5), ("s3_eff", 18.5)] {
+            assert_eq!(row[format!("d.{name}").as_str()], value, "{name}");
         }
     }
 

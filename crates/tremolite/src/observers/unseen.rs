@@ -56,6 +56,7 @@ impl Unseen {
                 acceleration: wants.nodes.rows(&snapshot.acceleration),
                 stress: vec![[f64::NAN; 6]; snapshot.stress.len()],
                 energy: vec![UNKNOWN; snapshot.energy.len()],
+                pore: vec![f64::NAN; snapshot.pore.len()],
                 ..snapshot.clone()
             },
             history: vec![Octet([f64::NAN; 8]); history.octets.len()],
@@ -67,12 +68,19 @@ impl Unseen {
             unseen.numbers[own.clone()].copy_from_slice(&numbers[own.clone()]);
             unseen.snapshot.stress[points.clone()].copy_from_slice(&snapshot.stress[points.clone()]);
             unseen.snapshot.energy[elements.clone()].copy_from_slice(&snapshot.energy[elements.clone()]);
+            if !snapshot.pore.is_empty() {
+                unseen.snapshot.pore[elements.clone()].copy_from_slice(&snapshot.pore[elements.clone()]);
+            }
         }
         for (_, slot) in phase.element_slot.iter().enumerate().filter(|(e, _)| wants.elements.has(*e)) {
             let Some(slot) = slot else { continue };
             let points = slot.point as usize..slot.point as usize + slot.points as usize;
             unseen.snapshot.stress[points.clone()].copy_from_slice(&snapshot.stress[points]);
-            unseen.snapshot.energy[slot.element as usize] = snapshot.energy[slot.element as usize];
+            let element = slot.element as usize;
+            unseen.snapshot.energy[element] = snapshot.energy[element];
+            if let Some(&p) = snapshot.pore.get(element) {
+                unseen.snapshot.pore[element] = p;
+            }
             for (octet, lane) in history.places(slot) {
                 unseen.history[octet].0[lane] = history.octets[octet].0[lane];
             }

@@ -4,6 +4,7 @@ use crate::history::History;
 use std::sync::Arc;
 use tremolite_engine::engine::Engine;
 use tremolite_engine::hexahedra::{centroid, hex};
+use tremolite_engine::water::with_pressure;
 use tremolite_engine::{Assembly, Model, Phase};
 use tremolite_laws::Role;
 use tremolite_laws::sym3::principal_values;
@@ -54,7 +55,9 @@ pub fn at_rest(
     for (e, slot) in first.element_slot.iter().enumerate() {
         let Some(slot) = slot.filter(|_| e < model.user.elements) else { continue };
         let Ok(shape) = hex(&model.mesh, e) else { continue };
-        let stress = &model.elements.initial[e];
+        let total = model.elements.initial[e];
+        // Rock bears by effective stress.
+        let stress = &with_pressure(total, model.water.pressure(e, first.stage));
         let [high, ..] = principal_values(stress);
         found.volume += shape.volume;
         if high > TENSION {

@@ -49,9 +49,11 @@ impl Field {
             Field::Stress => {
                 ("stress", "stress (Pa) of elements (xx, yy, zz, xy, yz, zx), mean over their points")
             }
-            Field::Principal => {
-                ("principal", "s1, s3 (Pa): largest and smallest principal stress over an element's points")
-            }
+            Field::Principal => (
+                "principal",
+                "s1, s3 (Pa): largest and smallest principal stress over an element's points; where there is water p, \
+                     s1_eff, s3_eff (Pa) as well: pressure in the pores, and effective stresses s + p",
+            ),
             Field::Envelope => (
                 "envelope",
                 "displacement_max (m), s1_max, s3_min (Pa): extremes over time, sampled with the histories; stresses of \

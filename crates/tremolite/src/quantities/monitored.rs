@@ -12,6 +12,8 @@ pub struct MonitorSeen {
     pub stress: [f64; 6],
     /// Its principal values \[Pa\], the largest first.
     pub principal: [f64; 3],
+    /// Pressure in the pores \[Pa\].
+    pub pore: f64,
 }
 
 /// What of it is known in every step.
@@ -62,6 +64,19 @@ const fn of_all(
 ) -> Quantity<OfMonitor> {
     Quantity { name, unit, doc, value: OfMonitor::Seen(value) }
 }
+
+/// Columns of a monitor behind those of [`MONITOR`], where there is water in the ground.
+pub const WET: &[Quantity<OfMonitor>] = &[
+    of_all("p", "Pa", |m| m.pore, "pressure of the water in the pores of its element; 0 of what has none"),
+    of_all(
+        "s1_eff",
+        "Pa",
+        |m| m.principal[0] + m.pore,
+        "largest effective principal stress, s1 + p: what strength goes by",
+    ),
+    of_all("s2_eff", "Pa", |m| m.principal[1] + m.pore, "middle effective principal stress"),
+    of_all("s3_eff", "Pa", |m| m.principal[2] + m.pore, "smallest effective principal stress"),
+];
 
 /// Columns of a monitor, in this order.
 pub const MONITOR: &[Quantity<OfMonitor>] = &[

@@ -27,6 +27,7 @@ fn check<V>(list: &str, all: &[Quantity<V>]) {
 fn names_are_plain_and_said_once_units_are_si_and_every_quantity_has_its_meaning() {
     check("MONITOR", MONITOR);
     check("RELATIVE", RELATIVE);
+    check("WET", WET);
     check("PAIR", PAIR);
     check("BOLT", BOLT);
     check("INTERFACE", INTERFACE);
@@ -44,13 +45,14 @@ fn monitor([stress, u, v, a]: [f64; 4]) -> MonitorSeen {
         },
         stress: [1.2, -0.9, 0.4, 0.6, -0.3, 0.8].map(|x| stress * x),
         principal: [1.65, 0.42, -1.37].map(|x| stress * x),
+        pore: stress * 0.3,
     }
 }
 
 #[test]
 fn values_of_monitors_grow_with_what_has_their_unit_and_with_nothing_else() {
     let grown = ["Pa", "m", "m/s", "m/s2"];
-    for Quantity { name, unit, value, .. } in MONITOR {
+    for Quantity { name, unit, value, .. } in MONITOR.iter().chain(WET) {
         let own = value.at(&monitor([1.0; 4]));
         assert!(own.is_finite(), "{name}");
         for (k, of) in grown.iter().enumerate() {

@@ -39,6 +39,7 @@ pub fn versions(
     laws: &[Law],
     band: Option<Band>,
     bodies: &mut Vec<Body>,
+    materials: &mut Vec<usize>,
     body_of: &mut [Option<usize>],
     lives: &mut [Life],
     problems: &mut Vec<Diagnostic>,
@@ -74,6 +75,7 @@ pub fn versions(
                 };
                 let name = format!("{} of {}", built.name, of.name.value);
                 bodies.push(Body { name, ..built });
+                materials.push(change.material);
                 made.insert(key, bodies.len() - 1);
                 bodies.len() - 1
             };

@@ -46,8 +46,14 @@ pub fn residuals(measured: &[MeasuredStress]) -> [f64; 6] {
 }
 
 /// Stress \[Pa\] of every element of a mesh, of which no two stand at one place; `unit_weight` \[N/m³\] is that of what is there
-/// at the start, 0 for void.
-pub fn stresses(case: &Case, stress: &InitialStress, mesh: &Mesh, unit_weight: &[f64]) -> Vec<[f64; 6]> {
+/// at the start, 0 for void. Horizontal stresses are ratios of effective ones where `pore` has the pressures \[Pa\] in pores.
+pub fn stresses(
+    case: &Case,
+    stress: &InitialStress,
+    mesh: &Mesh,
+    unit_weight: &[f64],
+    pore: &[f64],
+) -> Vec<[f64; 6]> {
     let centres: Vec<[f64; 3]> = (0..mesh.elements.len() as u32).map(|e| centroid(mesh, e)).collect();
     let linear = match stress {
         InitialStress::Lateral { x, y, .. } => {
@@ -55,9 +61,12 @@ pub fn stresses(case: &Case, stress: &InitialStress, mesh: &Mesh, unit_weight: &
             let vertical = weight_above(mesh, unit_weight, &centres);
             return vertical
                 .into_iter()
-                .map(|weight| {
+                .enumerate()
+                .map(|(e, weight)| {
                     let vertical = -(weight + above);
-                    [x.value * vertical, y.value * vertical, vertical, 0.0, 0.0, 0.0]
+                    let p = pore.get(e).copied().unwrap_or(0.0);
+                    let lateral = |ratio: f64| ratio * vertical - (1.0 - ratio) * p;
+                    [lateral(x.value), lateral(y.value), vertical, 0.0, 0.0, 0.0]
                 })
                 .collect();
         }

@@ -71,6 +71,7 @@ pub fn build(
             damping: contact.damping.value,
             limit: contact.limit.value,
             viscosity: contact.viscosity.value,
+            water: contact.water.as_ref().map(|share| share.value),
         });
     }
     interfaces

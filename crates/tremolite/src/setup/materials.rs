@@ -13,12 +13,13 @@ use tremolite_mesh::Mesh;
 use tremolite_results::{MaterialFacts, MaterialGroup, MaterialValue, Origin, Said, said};
 
 /// The materials that bodies are made of, by name, in the order of the case's regions. `bodies` are those of the
-/// solid regions, `reference` is the frequency \[Hz\] at which moduli are meant with damping over a band.
+/// solid regions, then others, of which `more` are to be told as well, each with its material in the case's list; `reference` is the frequency \[Hz\] at which moduli are meant with damping over a band.
 pub fn facts(
     case: &Case,
     mesh: &Mesh,
     laws: &[Law],
     bodies: &[Body],
+    more: &[(usize, usize)],
     reference: Option<f64>,
 ) -> IndexMap<String, MaterialFacts> {
     let damping = damping(case, reference);
@@ -27,10 +28,12 @@ pub fn facts(
         Fill::Solid { material, .. } => Some(&case.materials[material.value]),
         _ => None,
     });
-    let solid: Vec<&Material> = solid.collect();
-    for (body, material) in bodies.iter().zip(&solid) {
+    let of_regions = bodies.iter().zip(solid);
+    let told = of_regions.chain(more.iter().map(|&(body, of)| (&bodies[body], &case.materials[of])));
+    let told: Vec<(&Body, &Material)> = told.collect();
+    for &(body, material) in &told {
         let facts = all.entry(material.name.value.clone()).or_insert_with(|| {
-            let made_of_it = bodies.iter().zip(&solid).filter(|(_, m)| m.name.value == material.name.value);
+            let made_of_it = told.iter().filter(|(_, m)| m.name.value == material.name.value);
             let elements = made_of_it.flat_map(|(body, _)| &body.elements);
             let law = laws.iter().find(|l| l.info.name == material.law.value);
             let parameters = law.map_or(&[][..], |l| l.info.parameters);

@@ -23,9 +23,11 @@ mod reinforcement;
 mod sections;
 mod sides;
 mod site;
+mod soaked;
 mod stages;
 mod unlikely;
 mod warnings;
+mod water;
 mod wave_sides;
 mod waves;
 
@@ -176,7 +178,8 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let reference = reference(case, motion.as_ref());
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
-    let staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
+    let mut staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
+    soaked::soak(case, &mesh, &mut bodies, &mut staged, &mut problems);
     let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, held, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
     stages::check_moved(case, &mesh, &staged.solid(), &mut problems);
@@ -253,7 +256,8 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(motion.and_then(|motion| unlikely::duration(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_mass_damping(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_rows(case, motion)));
-    let materials = materials::facts(case, &mesh, &laws.materials, &bodies, reference);
+    let more: Vec<_> = staged.saturated.iter().map(|&body| (body, staged.materials[body])).collect();
+    let materials = materials::facts(case, &mesh, &laws.materials, &bodies, &more, reference);
     let dynamic = &case.dynamic;
     let shaking = |motion: &tremolite_motion::Motion| match &dynamic.duration {
         Some(given) => given.value,
@@ -287,7 +291,10 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         levels: dynamic.levels.value as u8,
     };
     problem.isa = isa;
+    warnings.extend(soaked::warnings(case, &problem, &staged));
+    let made_of = staged.materials.clone();
     warnings.extend(staged.fill(case, &mut problem));
+    water::fill(case, &made_of, &mut problem);
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),
@@ -306,6 +313,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         pairs,
         bolts: at_bolts,
         bars: reinforcement,
+        water: case.water.is_some(),
         sections: judged,
         relatives: case.relatives.iter().map(|r| r.between.map(|m| in_elements(case, m))).collect(),
     };

@@ -11,7 +11,7 @@ pub use pressures::check_pressures;
 
 use super::changes::{Version, before, versions};
 use super::groups::nothing_fits;
-use super::initial;
+use super::{initial, water};
 use crate::stages::PlannedStage;
 use faces::Faces;
 use pressures::{Around, loads, sides};
@@ -50,6 +50,10 @@ pub struct Staged {
     stand_ins: Vec<(u32, usize, Life)>,
     /// The body of each element; none for void.
     body_of: Vec<Option<usize>>,
+    /// The material of each body, a place in the case's list; of more than these nothing is known.
+    pub materials: Vec<usize>,
+    /// Bodies that were made of what weighs more for its water.
+    pub saturated: Vec<usize>,
     /// What is unusual about it.
     warnings: Vec<Diagnostic>,
 }
@@ -75,6 +79,8 @@ impl Staged {
             versions: Vec::new(),
             stand_ins: Vec::new(),
             body_of,
+            materials: case.regions.iter().filter_map(material_of).collect(),
+            saturated: Vec::new(),
             warnings: Vec::new(),
         };
         // Unlike what follows, elements without a region are reported already.
@@ -88,10 +94,38 @@ impl Staged {
         }
         staged.places.clone_from(&staged.lives);
         if problems.is_empty() {
-            let Staged { body_of, lives, .. } = &mut staged;
-            staged.versions = versions(case, mesh, laws, band, bodies, body_of, lives, problems);
+            let Staged { body_of, lives, materials, .. } = &mut staged;
+            staged.versions = versions(case, mesh, laws, band, bodies, materials, body_of, lives, problems);
         }
         staged
+    }
+
+    /// What each element is made of in the end: the element, its body and its life as that.
+    pub fn own(&self) -> impl Iterator<Item = (u32, usize, Life)> + '_ {
+        let all = (0u32..).zip(self.body_of.iter().zip(&self.lives));
+        all.filter_map(|(e, (body, life))| Some((e, (*body)?, *life)))
+    }
+
+    /// All that stands at some time: the element of the mesh in whose place, its body, and from when on there is something of its kind
+    /// there and until when.
+    pub fn standing(&self) -> impl Iterator<Item = (u32, usize, Life)> + '_ {
+        let versions = self.versions.iter().map(|version| (version.element, version.body, version.life));
+        let placed = self
+            .own()
+            .chain(versions)
+            .map(|(e, body, life)| (e, body, Life { born: self.places[e as usize].born, ..life }));
+        placed.chain(self.stand_ins.iter().copied())
+    }
+
+    /// Puts what stands in some places from one body into another, beside the bodies' own lists.
+    pub fn move_to(&mut self, from: usize, to: usize, which: impl Fn(u32) -> bool) {
+        let own = (0u32..).zip(self.body_of.iter_mut().flatten());
+        let stand_ins = self.stand_ins.iter_mut().map(|(e, body, _)| (*e, body));
+        let versions = self.versions.iter_mut().map(|version| (version.element, &mut version.body));
+        for (_, body) in own.chain(stand_ins).chain(versions).filter(|(e, body)| **body == from && which(*e))
+        {
+            *body = to;
+        }
     }
 
     /// Life of each element of the mesh as it was read.
@@ -150,8 +184,10 @@ impl Staged {
         if let Some(stress) = &case.initial.stress {
             let weight =
                 |b: Option<usize>| b.map_or(0.0, |b| space.bodies[b].density * case.initial.gravity.value);
-            let unit_weight: Vec<f64> = self.at_start().into_iter().map(weight).collect();
-            space.initial = initial::stresses(case, stress, &space.mesh, &unit_weight);
+            let at_start = self.at_start();
+            let pore = water::beside_lateral(case, &space.mesh, &self.materials, &at_start);
+            let unit_weight: Vec<f64> = at_start.into_iter().map(weight).collect();
+            space.initial = initial::stresses(case, stress, &space.mesh, &unit_weight, &pore);
             space.gravity = case.initial.gravity.value;
         }
         let stages = if case.seeks_equilibrium() { case.stages.len() + 1 } else { 0 };
@@ -238,6 +274,14 @@ impl Staged {
     }
 }
 
+/// The material of a solid region.
+fn material_of(region: &case::Region) -> Option<usize> {
+    match &region.fill {
+        case::Fill::Solid { material, .. } => Some(material.value),
+        case::Fill::Void => None,
+    }
+}
+
 /// Puts an element into a body that stands in the place of another, under that one's number and initial stress.
 fn add(space: &mut Problem, of: u32, body: usize, life: Life) -> u32 {
     let e = space.mesh.elements.len();
@@ -274,7 +318,12 @@ fn changes(case: &Case, stage: &case::Stage) -> Vec<Said> {
             said!("{name} moved to {way} = {to}", name = &one.name, way = way, to = to)
         })
     });
-    materials.chain(pressures).chain(moved).chain(bolts).collect()
+    let level = stage.water.level.iter();
+    let level = level.map(|level| said!("water level at {level}", level = water::shown(level.value)));
+    let filled = stage.water.filled.iter().map(|(face, level)| {
+        said!("{face} full of water to {level}", face = &face.value, level = water::shown(level.value))
+    });
+    materials.chain(pressures).chain(level).chain(filled).chain(moved).chain(bolts).collect()
 }
 
 /// Name of what comes before all stages of a case.

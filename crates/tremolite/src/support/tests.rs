@@ -68,6 +68,7 @@ pub(crate) fn plan(stages: &[&str]) -> Plan {
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     }

@@ -64,6 +64,7 @@ pub fn plan() -> Plan {
         pairs: Vec::new(),
         bolts: vec![monitor("B", 6.2, 0), monitor("L", 9.2, 1)],
         bars: 0,
+        water: false,
         relatives: vec![[0, 1]],
         sections: Vec::new(),
     }

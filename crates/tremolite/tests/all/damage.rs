@@ -111,6 +111,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             pairs: Vec::new(),
             bolts: Vec::new(),
             bars: 0,
+            water: false,
             relatives: Vec::new(),
             sections: Vec::new(),
         };

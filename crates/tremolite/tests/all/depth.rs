@@ -83,6 +83,7 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     }

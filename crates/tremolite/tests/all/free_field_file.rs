@@ -63,6 +63,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

@@ -310,6 +310,7 @@ fn most_used(quadrature: Quadrature) -> f64 {
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

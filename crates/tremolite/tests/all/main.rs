@@ -41,5 +41,6 @@ mod spectra;
 mod staged;
 mod stages;
 mod viscosity;
+mod water;
 mod waves_at_angles;
 mod waves_resumed;

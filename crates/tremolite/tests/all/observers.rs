@@ -48,6 +48,7 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     }

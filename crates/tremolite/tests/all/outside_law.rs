@@ -243,6 +243,7 @@ fn told(problem: Problem) -> Summary {
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

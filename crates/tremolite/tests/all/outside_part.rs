@@ -182,6 +182,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

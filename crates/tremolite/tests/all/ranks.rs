@@ -65,6 +65,7 @@ fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
         bolts: Vec::new(),
         sections: Vec::new(),
         bars: 0,
+        water: false,
         relatives: vec![[0, 1]],
     }
 }
@@ -217,17 +218,73 @@ fn shaken(mut problem: Problem) -> Problem {
 
 /// Ground under initial stress with a layer that cracks, a joint that slides, anchors with friction, bars that yield, a pit that is dug, and
 /// a free field.
-fn pit() -> Case {
+fn pit_problem() -> Problem {
     let mut problem = shaken(bolts_bits::bolted(Isa::best()));
     problem.bodies[1].material = concrete(5e3, "effective");
     let law: Vec<_> = BANDIS.iter().map(|&(key, x)| (key, if key == "cohesion" { 1e3 } else { x })).collect();
     problem.interfaces = vec![between(&problem, [1, 0], "bandis", &law)];
     problem.sides = [Side::FreeField; 2];
     problem.initial = vec![[-1e5, -1e5, -2e5, 0.0, 0.0, 3e5]; problem.mesh.elements.len()];
-    let mut case = Case::new(problem, &["start", "bolts", "pit"], 0.012);
+    problem
+}
+
+fn pit() -> Case {
+    let mut case = Case::new(pit_problem(), &["start", "bolts", "pit"], 0.012);
     case.plan.bolts = vec![BoltMonitor { name: "anchor".into(), point: [3.0, 3.0, 10.0], set: 0 }];
     case.plan.pairs = vec![PairMonitor { name: "pair".into(), point: [6.0, 5.0, 6.0], interface: 0 }];
     case
+}
+
+/// The same with water that falls as the pit is dug: in pores of what does not crack, whose grains give way, and in the joint.
+fn wet_pit(levels: bool) -> Case {
+    let dry = pit();
+    let mut problem = pit_problem();
+    problem.interfaces[0].water = Some(0.6);
+    let spell = |from: u16, level: f64| {
+        let p = |z: f64| 5e3 * (level - z).max(0.0);
+        let centre = |e: usize| p(tremolite::hexahedra::centroid(&problem.mesh, e as u32)[2]);
+        tremolite::water::Spell {
+            from: Stage::Before(from),
+            elements: (0..problem.mesh.elements.len()).map(centre).collect(),
+            nodes: problem.mesh.nodes.iter().map(|x| p(x[2])).collect(),
+        }
+    };
+    let mut biot = vec![0.7; problem.mesh.elements.len()];
+    problem.bodies[1].elements.iter().for_each(|&e| biot[e as usize] = 0.0);
+    let water = tremolite::Water { biot, spells: vec![spell(0, 12.0), spell(2, 6.0)] };
+    problem.water = water;
+    let ready = Ready::new(problem);
+    let ready = if levels { ready.levelled(|[_, _, z]| (z / 3.0) as u8) } else { ready };
+    Case::of(ready, Plan { water: true, ..dry.plan })
+}
+
+#[test]
+fn water_in_pores_and_joints_gives_the_same_on_several_ranks_with_levels_or_without() {
+    let [dry, wet] = [pit().alone(), wet_pit(false).alone()];
+    assert!(dry.1 != wet.1, "water changes something");
+    for levels in [false, true] {
+        wet_pit(levels).holds(&format!("wet pit, levels {levels}"), &SOME[..2]);
+    }
+}
+
+#[test]
+fn a_run_with_water_goes_on_where_it_was_stopped_in_the_stage_that_changes_it() {
+    let case = wet_pit(false);
+    let whole = case.alone();
+    let parent = tempfile::tempdir().unwrap();
+    let results = ResultFolder::create(Some(&parent.path().join("parts")), "ranks", true).unwrap();
+    let stop = |folder: &ResultFolder, ranks: Option<Arc<Ranks>>| {
+        let mut simulation = case.simulation(folder, Start::Rest, ranks);
+        for _ in 0..2 {
+            assert!(matches!(simulation.relax(&mut |_| Go::On).unwrap(), StageEnd::AtRest(_)));
+        }
+        let mut stop = |cycle: &Cycle| if cycle.cycle > 10 { Go::Stop } else { Go::On };
+        assert_eq!(simulation.relax(&mut stop).unwrap(), StageEnd::Stopped);
+        String::new()
+    };
+    case.in_folder(how(2, 1, false), &results, &stop);
+    let state = through(case.simulation(&results, Start::Resume, None));
+    same("resumed with water", &whole, &files(results.root(), state));
 }
 
 #[test]

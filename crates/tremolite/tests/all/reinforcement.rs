@@ -129,6 +129,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         pairs: Vec::new(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: Vec::new(),
         sections: Vec::new(),
     };

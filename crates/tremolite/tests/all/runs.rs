@@ -43,6 +43,7 @@ fn plan(problem: &Problem) -> Plan {
             .collect(),
         bolts: Vec::new(),
         bars: 0,
+        water: false,
         relatives: vec![[0, 1]],
         sections: Vec::new(),
     }

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, HashSet};
 use tremolite_case::{Case, Diagnostic, Spanned, pattern};
 use tremolite_engine::outer_faces::OuterFaces;
 use tremolite_engine::{Life, Side, Stage};
-use tremolite_mesh::topology::exterior_faces;
+use tremolite_mesh::topology::{exterior_faces, face_points};
 use tremolite_mesh::{Face, Mesh};
 
 /// What stands in a stage.
@@ -34,20 +34,23 @@ pub(super) fn loads(
     let mut acting = Vec::new();
     let top = &outer.planes[2][1];
     let overburden = case.initial.overburden.as_ref().map_or(0.0, |p| p.value);
+    let weight = case.water.as_ref().map_or(0.0, |water| water.unit_weight.value);
     // Each name's last word so far, in the order in which they came, and whether it is this stage's.
-    let mut pressures: Vec<(&str, f64, Option<&Spanned<String>>)> = Vec::new();
+    let mut pressures: Vec<(&str, Press, Option<&Spanned<String>>)> = Vec::new();
     for (k, written) in case.stages.iter().take(stage).enumerate() {
-        for (pattern, p) in &written.pressures {
+        let even = written.pressures.iter().map(|(pattern, p)| (pattern, Press::Even(p.value)));
+        let filled = written.water.filled.iter();
+        let filled = filled.map(|(pattern, level)| (pattern, Press::Water { level: level.value, weight }));
+        for (pattern, press) in even.chain(filled) {
             pressures.retain(|(name, ..)| *name != pattern.value);
-            pressures.push((pattern.value.as_str(), p.value, (k + 1 == stage).then_some(pattern)));
+            pressures.push((pattern.value.as_str(), press, (k + 1 == stage).then_some(pattern)));
         }
     }
-    let above = pressures.iter().find(|(name, ..)| *name == TOP).map_or(0.0, |(_, p, _)| *p);
+    let above = pressures.iter().find(|(name, ..)| *name == TOP).map_or(Press::Even(0.0), |(_, p, _)| *p);
     pressures.retain(|(name, ..)| *name != TOP);
-    let on_top = overburden + above;
-    if on_top != 0.0 {
-        acting.extend(top.iter().map(|&face| (face, tensor(on_top))));
-    }
+    let on_top = |face: Face| overburden + above.on(mesh, face);
+    let on_top = top.iter().map(|&face| (face, on_top(face))).filter(|(_, p)| *p != 0.0);
+    acting.extend(on_top.map(|(face, p)| (face, tensor(p))));
     if pressures.is_empty() {
         return acting;
     }
@@ -55,7 +58,7 @@ pub(super) fn loads(
     let walls_here: Vec<Face> =
         exterior_faces(mesh, Some(standing)).into_iter().filter(|face| !on_side.contains(face)).collect();
     // The last word counts.
-    let mut pressed: BTreeMap<Face, (&str, f64)> = BTreeMap::new();
+    let mut pressed: BTreeMap<Face, (&str, Press)> = BTreeMap::new();
     let mut told: HashSet<[&str; 2]> = HashSet::new();
     for (pattern, p, now) in pressures {
         let mut inside = vec![false; mesh.elements.len()];
@@ -71,7 +74,7 @@ pub(super) fn loads(
             (own == face.element && inside[own as usize]) || beside.any(|e| inside[e as usize] && gone(e))
         };
         let faces: Vec<Face> = walls_here.iter().copied().filter(is_pressed).collect();
-        if let (true, Some(written)) = (faces.is_empty() && p != 0.0, now) {
+        if let (true, Some(written)) = (faces.is_empty() && p != Press::Even(0.0), now) {
             warnings.push(Diagnostic::at(
                 written,
                 format!("'{pattern}' bounds no void in this stage, so nothing is pressed"),
@@ -93,14 +96,42 @@ pub(super) fn loads(
             }
         }
     }
-    acting.extend(pressed.into_iter().map(|(face, (_, p))| (face, tensor(p))));
+    acting.extend(pressed.into_iter().map(|(face, (_, p))| (face, tensor(p.on(mesh, face)))));
     acting
+}
+
+/// What presses on faces.
+#[derive(Clone, Copy, PartialEq)]
+enum Press {
+    /// As much everywhere \[Pa\].
+    Even(f64),
+    /// Water up to a level \[m\], of a weight per volume \[N/m³\].
+    Water { level: f64, weight: f64 },
+}
+
+impl Press {
+    /// The mean pressure \[Pa\] on a face, of its points by their areas.
+    fn on(self, mesh: &Mesh, face: Face) -> f64 {
+        match self {
+            Press::Even(p) => p,
+            Press::Water { level, weight } => {
+                let (_, points) = face_points(mesh, face);
+                let areas = points.iter().map(|point| {
+                    let area = point.area.iter().map(|a| a * a).sum::<f64>().sqrt();
+                    [area, area * weight * (level - point.at[2]).max(0.0)]
+                });
+                let [area, force] = areas.fold([0.0; 2], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
+                force / area
+            }
+        }
+    }
 }
 
 /// Whether a stage itself gives a pressure under this name.
 fn written_in(case: &Case, stage: usize, pattern: &str) -> bool {
-    let own = stage.checked_sub(1).map(|k| &case.stages[k].pressures);
-    own.into_iter().flatten().any(|(name, _)| name.value == pattern)
+    let own = stage.checked_sub(1).map(|k| &case.stages[k]);
+    let names = own.into_iter().flat_map(|stage| stage.pressures.iter().chain(&stage.water.filled));
+    names.map(|(name, _)| name).any(|name| name.value == pattern)
 }
 
 /// The word for the top plane where groups stand.
@@ -141,7 +172,7 @@ pub(super) fn sides(
 
 /// The patterns of pressures that no group fits.
 pub fn check_pressures(case: &Case, mesh: &Mesh, problems: &mut Vec<Diagnostic>) {
-    let written = case.stages.iter().flat_map(|stage| &stage.pressures);
+    let written = case.stages.iter().flat_map(|stage| stage.pressures.iter().chain(&stage.water.filled));
     for (pattern, _) in written.filter(|(pattern, _)| pattern.value != TOP) {
         let _ = fitting(pattern, mesh, problems);
     }

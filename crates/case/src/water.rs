@@ -1,0 +1,307 @@
+//! `[water]`: water in the pores of the ground, by a level; what materials, stages and interfaces say of it.
+
+use std::ops::Range;
+
+use tremolite_laws::parameter::Dimension;
+
+use crate::fields::{Fields, Material};
+use crate::keys::{Key, Kind, Limit, Table, When, words};
+use crate::{Diagnostic, Spanned};
+
+const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
+const STEADY: &str = "leave it out: steady seepage is not in this version; use `level`";
+const UNDRAINED: &str =
+    "leave it out: an undrained earthquake is not in this version, pressures stay as the stages leave them";
+
+/// The word for a pressure that goes by a level, and the one that is to come.
+const LEVEL: &str = "level";
+const SEEPAGE: &str = "seepage";
+
+pub(crate) static WATER: Table = Table {
+    path: "water",
+    doc: "Water in the pores of the ground: laws then see effective stress.",
+    keys: &[
+        Key::default(
+            "unit_weight",
+            Kind::Number(Dimension::UNIT_WEIGHT, Limit::Positive),
+            r#""9.81 kN/m3""#,
+            "Weight of the water per volume",
+        ),
+        Key::default(
+            "pressure",
+            Kind::Text,
+            r#""level""#,
+            "Where the pressure comes from: \"level\", the unit weight times the depth below the level, nothing above",
+        ),
+        Key::required("level", HEIGHT, "height z of the water level in the ground before the first stage"),
+        Key::default(
+            "earthquake",
+            Kind::Text,
+            r#""drained""#,
+            "Pressures in the earthquake: \"drained\", they stay as the stages leave them",
+        ),
+        Key::later("bulk_modulus", UNDRAINED),
+        Key::later("heads", STEADY),
+    ],
+    choice: &[],
+};
+
+pub(crate) static OF_MATERIAL: Table = Table {
+    path: "material.water",
+    doc: "Pores of the material, or \"none\": water then presses on its faces alone.",
+    keys: &[
+        Key::default(
+            "biot",
+            Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
+            "1",
+            "Biot's coefficient α: 1 less the bulk modulus of the rock over that of its grains",
+        ),
+        Key::optional(
+            "porosity",
+            Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
+            "",
+            "Share of pores in the volume; at most `biot`. For what is undrained: nothing uses it in this version",
+        )
+        .when(When::Without("skempton")),
+        Key::optional(
+            "skempton",
+            Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
+            "",
+            "Skempton's coefficient B, below 1, in place of the porosity. Nothing uses it in this version",
+        )
+        .when(When::Without("porosity")),
+        Key::optional(
+            "permeability",
+            Kind::Number(Dimension::VELOCITY, Limit::Positive),
+            "",
+            "Hydraulic conductivity; left out: tight. For seepage: nothing uses it in this version",
+        ),
+        Key::optional(
+            "saturated_unit_weight",
+            Kind::Number(Dimension::UNIT_WEIGHT, Limit::Positive),
+            "",
+            "Weight per volume where there is water at the start; left out: as above the water",
+        ),
+    ],
+    choice: &[],
+};
+
+/// What `water` of a material may be.
+pub(crate) const OF_MATERIAL_KIND: Kind = Kind::Either(&[Kind::Word(&[NONE]), Kind::Table(&OF_MATERIAL)]);
+/// The word for a material without pores.
+const NONE: &str = "none";
+
+pub(crate) static OF_STAGE: Table = Table {
+    path: "stage.water",
+    doc: "Water from this stage on; what is left out stays as in the stage before.",
+    keys: &[
+        Key::optional("level", HEIGHT, "", "Height z of the water level in the ground from here on"),
+        Key::optional(
+            "filled",
+            Kind::Map("headrace", &HEIGHT),
+            "",
+            "Groups, as those of `pressure`, beside which the void is full of water from here on, each with the height z of its level: \
+             it presses by its depth",
+        ),
+        Key::later("heads", STEADY),
+        Key::later("drained", STEADY),
+        Key::later("drains", STEADY),
+    ],
+    choice: &[],
+};
+
+pub(crate) static OF_INTERFACE: Table = Table {
+    path: "interface.water",
+    doc: "Water between the two sides: its pressure takes off what presses these together.",
+    keys: &[
+        Key::default(
+            "factor",
+            Kind::Number(Dimension::NONE, Limit::Within(1.0)),
+            "1",
+            "Share of the ground's water pressure that acts in the interface",
+        ),
+        Key::default("drained", Kind::Flag, "false", "Whether the interface is drained: no pressure in it"),
+    ],
+    choice: &[],
+};
+
+words! {
+    /// Of which stress `lateral` is the ratio.
+    LateralOf {
+        /// of effective stresses, where there is water
+        Effective = "effective",
+        /// of total stresses
+        Total = "total",
+    }
+}
+
+/// Water in the pores of the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Water {
+    /// N/m³
+    pub unit_weight: Spanned<f64>,
+    /// Height of its level before the first stage, m.
+    pub level: Spanned<f64>,
+    /// Its table in the case: the header, or the braces.
+    pub span: Range<usize>,
+}
+
+/// Pores of a material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pores {
+    /// Biot's coefficient, in (0, 1].
+    pub biot: Spanned<f64>,
+    /// Share of pores in the volume, where it is given, at most that coefficient.
+    pub porosity: Option<Spanned<f64>>,
+    /// Skempton's coefficient, where it is given, in (0, 1).
+    pub skempton: Option<Spanned<f64>>,
+    /// Hydraulic conductivity, m/s; none: tight.
+    pub permeability: Option<Spanned<f64>>,
+    /// N/m³, where there is water at the start.
+    pub saturated_unit_weight: Option<Spanned<f64>>,
+}
+
+/// What a material says of water.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MaterialWater {
+    /// It has no pores.
+    None,
+    Pores(Pores),
+}
+
+/// Water from a stage on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StageWater {
+    /// Height of its level in the ground, m.
+    pub level: Option<Spanned<f64>>,
+    /// Groups beside which the void is full, and up to which height, m.
+    pub filled: Vec<(Spanned<String>, Spanned<f64>)>,
+}
+
+impl Water {
+    pub(crate) fn read(f: &Fields) -> Option<Self> {
+        Some(Water { unit_weight: f.number("unit_weight")?, level: f.number("level")?, span: f.span.clone() })
+    }
+
+    /// What lies between keys, and what needs a case with water.
+    pub(crate) fn check(case: &Fields, materials: &[Material], stress: bool, problems: &mut Vec<Diagnostic>) {
+        for pores in materials.iter().filter_map(|m| m.fields.get("water")?.table()) {
+            Pores::check(pores, problems);
+        }
+        let Some(water) = case.table("water") else {
+            // A case with a broken table of water is no case without.
+            if case.get("water").is_none() {
+                without(case, materials, problems);
+            }
+            return;
+        };
+        let words = [
+            (
+                "pressure",
+                LEVEL,
+                SEEPAGE,
+                "steady seepage is not in this version: use \"level\", which is right where nothing drains the ground",
+            ),
+            (
+                "earthquake",
+                "drained",
+                "undrained",
+                "an undrained earthquake is not in this version: use \"drained\", pressures then stay as the stages leave them",
+            ),
+        ];
+        for (key, known, later, instead) in words {
+            let Some(word) = water.text(key).filter(|word| word.value != known) else { continue };
+            let (message, remedy) = match word.value == later {
+                true => (format!("`{key}` cannot be \"{later}\" yet"), instead.to_owned()),
+                false => (format!("`{key}` cannot be \"{}\"", word.value), format!("write \"{known}\"")),
+            };
+            problems.push(Diagnostic::at(&word, message, remedy));
+        }
+        if !stress {
+            problems.push(Diagnostic::new(
+                water.span.clone(),
+                "there is water, and no initial stress that goes with it",
+                "give [initial] lateral, stress or measured: total stresses",
+            ));
+        }
+    }
+}
+
+/// Refuses what says something of water in a case that has none.
+fn without(case: &Fields, materials: &[Material], problems: &mut Vec<Diagnostic>) {
+    let of_initial = case.table("initial").and_then(|initial| initial.get("lateral_of"));
+    let of_materials =
+        materials.iter().filter_map(|m| m.fields.get("water")).filter(|node| node.table().is_some());
+    let of_stages = case.tables("stage").filter_map(|stage| stage.get("water"));
+    let of_interfaces = case.tables("interface").filter_map(|interface| interface.get("water"));
+    let all = of_initial.into_iter().chain(of_materials).chain(of_stages).chain(of_interfaces);
+    problems.extend(all.map(|node| {
+        Diagnostic::new(
+            node.span.clone(),
+            "this has a meaning only where there is water",
+            "add [water] with the `level`, or leave it out",
+        )
+    }));
+}
+
+impl Pores {
+    fn read(f: &Fields) -> Option<Self> {
+        Some(Pores {
+            biot: f.number("biot")?,
+            porosity: f.number("porosity"),
+            skempton: f.number("skempton"),
+            permeability: f.number("permeability"),
+            saturated_unit_weight: f.number("saturated_unit_weight"),
+        })
+    }
+
+    fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
+        if let (Some(biot), Some(porosity)) = (f.number("biot"), f.number("porosity"))
+            && *porosity > *biot
+        {
+            problems.push(Diagnostic::at(
+                &porosity,
+                format!("a porosity of {} is more than Biot's coefficient of {}", *porosity, *biot),
+                "grains would stretch under pressure: give a larger `biot`, or a smaller porosity",
+            ));
+        }
+        if let Some(skempton) = f.number("skempton").filter(|b| **b >= 1.0) {
+            problems.push(Diagnostic::at(
+                &skempton,
+                "with a Skempton's coefficient of 1 nothing would be left of any pressure between grains",
+                "give a value below 1; 0.6 to 0.99 is usual",
+            ));
+        }
+    }
+}
+
+impl MaterialWater {
+    /// What a material says, if it says something; an error where that was refused.
+    pub(crate) fn read(f: &Fields) -> Option<Option<Self>> {
+        let Some(node) = f.get("water") else { return Some(None) };
+        match node.table() {
+            Some(table) => Some(Some(MaterialWater::Pores(Pores::read(table)?))),
+            None => Some(Some(MaterialWater::None)),
+        }
+    }
+}
+
+impl StageWater {
+    pub(crate) fn read(f: &Fields) -> Option<Self> {
+        let Some(water) = f.table("water") else { return Some(StageWater::default()) };
+        let filled = water.entries("filled").iter();
+        Some(StageWater {
+            level: water.number("level"),
+            filled: filled
+                .map(|(pattern, node)| Some((pattern.clone(), node.number()?)))
+                .collect::<Option<_>>()?,
+        })
+    }
+}
+
+/// The share of the ground's pressure in an interface, where its table is given.
+pub(crate) fn of_interface(f: &Fields) -> Option<Spanned<f64>> {
+    let water = f.table("water")?;
+    let factor = water.number("factor")?;
+    Some(Spanned::new(if water.flag("drained")? { 0.0 } else { factor.value }, factor.span))
+}
