@@ -21,7 +21,11 @@ impl Process {
     /// # Errors
     /// A sentence that names the fault and the forms that are read.
     pub fn parse(text: &str) -> Result<Process, String> {
-        let wrong = |problem: String| format!("'{}': {problem}; {FORMS}", shown(text));
+        // A problem that ends with its remedy needs no list of all forms.
+        let wrong = |problem: String| match problem.contains("; ") {
+            true => format!("'{}': {problem}", shown(text)),
+            false => format!("'{}': {problem}; {FORMS}", shown(text)),
+        };
         if let Some(peak) =
             text.trim_start().strip_prefix("pga").filter(|p| p.starts_with(char::is_whitespace))
         {
@@ -93,7 +97,7 @@ fn peak_acceleration(text: &str) -> Result<Process, String> {
         _ => return Err(format!("'{}' is no number with a unit of acceleration", shown(text))),
     };
     if unit.is_empty() {
-        return Err(format!("a peak without a unit; give its unit: pga {value} g or pga {value} m/s2"));
+        return Err(format!("a peak without a unit; write pga {value} g or pga {value} m/s2"));
     }
     let units: Units = unit.parse()?;
     if units.factor().is_none() {

@@ -2,10 +2,10 @@
 
 use crate::drawing::colours;
 use crate::drawing::frame::Frame;
+use crate::drawing::plot::{NARROW, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::window::Window;
 
-const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;
 /// Right of the maps: the colour bar and its labels.
 const BAR: f64 = 118.0;
@@ -16,10 +16,13 @@ const LINE: f64 = 20.0;
 /// Below a map: its numbers.
 const BELOW: f64 = 44.0;
 const TALLEST: f64 = 560.0;
+/// The same of a figure that stands beside another on a sheet of paper.
+const NARROW_TALLEST: f64 = 300.0;
 
 /// So many maps of one window.
 pub struct MapRow {
     window: Window,
+    width: f64,
     beside: bool,
     room: (f64, f64),
 }
@@ -27,15 +30,25 @@ pub struct MapRow {
 impl MapRow {
     /// Beside each other, unless maps of this window are drawn much larger above each other.
     pub fn of(window: Window, maps: usize) -> Self {
+        MapRow::at(window, maps, WIDTH, [TALLEST, 1.5 * TALLEST])
+    }
+
+    /// The same of a figure that stands beside another on a sheet of paper.
+    pub fn narrow(window: Window, maps: usize) -> Self {
+        MapRow::at(window, maps, NARROW, [NARROW_TALLEST; 2])
+    }
+
+    /// Of so wide a figure; `tallest` is what maps beside each other and above each other have of its height.
+    fn at(window: Window, maps: usize, width: f64, tallest: [f64; 2]) -> Self {
         let n = maps.max(1) as f64;
-        let across = WIDTH - LEFT - BAR;
-        let beside = ((across - (n - 1.0) * BETWEEN) / n, TALLEST);
-        let above = (across, (1.5 * TALLEST - (n - 1.0) * (BELOW + LINE)) / n);
-        let [width, height] = window.size();
-        let zoom = |room: (f64, f64)| (room.0 / width).min(room.1 / height);
+        let across = width - LEFT - BAR;
+        let beside = ((across - (n - 1.0) * BETWEEN) / n, tallest[0]);
+        let above = (across, (tallest[1] - (n - 1.0) * (BELOW + LINE)) / n);
+        let [wide, high] = window.size();
+        let zoom = |room: (f64, f64)| (room.0 / wide).min(room.1 / high);
         // Above each other they leave a page half empty, unless they are long.
         let best = maps < 2 || 1.4 * zoom(beside) >= zoom(above);
-        MapRow { window, beside: best, room: if best { beside } else { above } }
+        MapRow { window, width, beside: best, room: if best { beside } else { above } }
     }
 
     /// A map of the row, coloured from `low` to `high` (in the display unit).
@@ -45,10 +58,11 @@ impl MapRow {
 
     /// The figure as SVG: the title above, and above each map what it is, if it is not empty. The bar is that of the first.
     pub fn draw(&self, title: &str, maps: &[(String, Frame)], description: &str) -> String {
-        let mut svg = Svg::new(WIDTH);
+        let mut svg = Svg::new(self.width);
         svg.text((LEFT, TITLE - 12.0), Anchor::Start, 14.0, Style::Bold, title);
         let line = if maps.iter().any(|(name, _)| !name.is_empty()) { LINE } else { 0.0 };
-        let (mut at, mut end) = ((LEFT, TITLE + line), (0.0, 0.0));
+        let above = if title.is_empty() { 0.0 } else { TITLE };
+        let (mut at, mut end) = ((LEFT, (above + line).max(8.0)), (0.0, 0.0));
         let top = at.1;
         for (k, (name, frame)) in maps.iter().enumerate() {
             svg.text((at.0, at.1 - 8.0), Anchor::Start, 13.0, Style::Plain, name);

@@ -24,7 +24,7 @@ mod sections;
 mod sides;
 mod site;
 mod stages;
-mod unlikely;
+pub(crate) mod unlikely;
 mod warnings;
 mod wave_sides;
 mod waves;
