@@ -26,6 +26,8 @@ pub struct Sheets {
     /// When the run started, and by what.
     dated: String,
     limits: Vec<LimitRow>,
+    /// How many of them are not met; empty where all are.
+    beyond: String,
     /// What to say where there are none.
     unlimited: String,
     earthquake: Vec<Fact>,
@@ -88,6 +90,10 @@ pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets
                 "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE."
             ),
             false => String::new(),
+        },
+        beyond: match limits.iter().filter(|row| row.is_beyond()).count() {
+            0 => String::new(),
+            number => say!(language, "{number} of {all} not met", number = number, all = limits.len()),
         },
         limits,
         earthquake: earthquake::facts(source, summary),

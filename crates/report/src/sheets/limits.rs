@@ -24,6 +24,13 @@ pub struct LimitRow {
     mark: String,
 }
 
+impl LimitRow {
+    /// Whether what was found is beyond it.
+    pub fn is_beyond(&self) -> bool {
+        self.class == "fail"
+    }
+}
+
 /// A value found: as it is told, where, and its number.
 type Found = Option<(f64, String, String)>;
 
