@@ -123,6 +123,7 @@ pub const TEXTS: Texts = &[
     ("cracked volume", "开裂体积"),
     ("of {stations}", "共 {stations} 个"),
     ("Limits of acceptance", "验收限值"),
+    ("Relative displacement of two monitors", "两监测点的相对位移"),
     ("{number} of {all} not met", "{all} 项中 {number} 项不满足"),
     ("Earthquake and model", "地震与模型"),
     ("By part", "各部位"),
