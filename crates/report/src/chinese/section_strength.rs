@@ -4,15 +4,15 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     ("{lining}: N and M against the strength of the sections", "{lining}：N、M 与断面承载力"),
-    ("each station at its largest utilisation in the earthquake", "各断面利用率最大时（地震中）"),
+    ("each station at its largest utilisation", "各断面利用率最大时"),
     ("{thickness} m, without bars ({stations} stations)", "厚 {thickness} m，无筋（{stations} 个断面）"),
     (
-        "{thickness} m, bars of {inner} mm²/m inside and {outer} mm²/m outside ({stations} stations)",
+        "{thickness} m, bars {inner} + {outer} mm²/m ({stations} stations)",
         "厚 {thickness} m，内侧钢筋 {inner} mm²/m，外侧 {outer} mm²/m（{stations} 个断面）",
     ),
     ("N (kN/m), tension positive; upwards M (kN\u{a0}m/m)", "N（kN/m），受拉为正；纵轴 M（kN\u{a0}m/m）"),
     (
-        "Design strength by {code}, bars included; each point is N and M of one instant. Inside its line a section bears them.",
+        "Design strength by {code}, bars (inside + outside) included; each point is N and M of one instant. Inside its line a section bears them.",
         "按 {code} 的设计承载力，计入钢筋；每点为同一时刻的 N 与 M。点在本断面的包络线以内时，断面可以承受。",
     ),
     ("crack width left", "残余裂缝宽度"),

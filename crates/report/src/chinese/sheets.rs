@@ -33,7 +33,7 @@ pub const TEXTS: Texts = &[
     ("design strength", "承载力全部用尽"),
     ("{lining}: utilisation of the sections", "{lining}：断面承载力利用率"),
     (
-        "distance along the lining (m), from the foot of the wall at greater x over the crown",
+        "along the lining (m), from the foot at greater x over the crown",
         "沿衬砌（m），自下部经 x 较大一侧边墙至顶拱",
     ),
     (

@@ -43,7 +43,7 @@ pub fn figure(
     let mut curves: Vec<PlotCurve> =
         of.borders.iter().zip(LINES).map(|(b, colour)| line(language, b, colour)).collect();
     if !shaken.is_empty() {
-        let name = say!(language, "each station at its largest utilisation in the earthquake");
+        let name = say!(language, "each station at its largest utilisation");
         curves.push(PlotCurve::new(name, SHAKEN, Pen::Dots, shaken));
     }
     if !after.is_empty() {
@@ -70,7 +70,7 @@ pub fn figure(
     let (svg, narrow) = (drawn(WIDTH, &title), Some(drawn(NARROW, "")));
     let caption = say!(
         language,
-        "Design strength by {code}, bars included; each point is N and M of one instant. Inside its line a section bears them.",
+        "Design strength by {code}, bars (inside + outside) included; each point is N and M of one instant. Inside its line a section bears them.",
         code = of.code
     );
     Some(Figure {
@@ -96,7 +96,7 @@ fn line(language: Language, border: &Border, colour: usize) -> PlotCurve {
         ),
         [inner, outer] => say!(
             language,
-            "{thickness} m, bars of {inner} mm²/m inside and {outer} mm²/m outside ({stations} stations)",
+            "{thickness} m, bars {inner} + {outer} mm²/m ({stations} stations)",
             thickness = thickness,
             inner = area(inner),
             outer = area(outer),

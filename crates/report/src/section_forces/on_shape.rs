@@ -17,7 +17,7 @@ const ROOM: f64 = 46.0;
 /// By this texts are larger where the drawing is shrunk to half a page's width.
 const LARGER: f64 = 2.0;
 /// Room beside the ordinates there, for numbers that stand over the ends of their neighbours.
-const LARGER_ROOM: f64 = 60.0;
+const LARGER_ROOM: f64 = 80.0;
 /// The forces in a word there.
 const BRIEF: [&str; 3] = ["N (kN/m)", "M (kN\u{a0}m/m)", "Q (kN/m)"];
 

@@ -239,10 +239,7 @@ pub fn figure(
         curve.pieces.iter_mut().flatten().for_each(|p| p.1 = p.1.min(most));
     }
     let title = say!(language, "{lining}: utilisation of the sections", lining = lining);
-    let below = say!(
-        language,
-        "distance along the lining (m), from the foot of the wall at greater x over the crown"
-    );
+    let below = say!(language, "along the lining (m), from the foot at greater x over the crown");
     let drawn = |width: f64, heading: &str| {
         let mut svg = Svg::new(width);
         let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &curves);

@@ -43,11 +43,11 @@ pub fn of_window(
         Diagnostic::at(
             window,
             format!(
-                "the window, processed, moves by up to {part:.3} m, and the whole record, processed alike, by {all:.3} m: cut out of its \
-                 motion it does not know its velocity and displacement, and \"baseline\" makes up others"
+                "the window, processed, is displaced by up to {part:.3} m, the whole record, processed alike, by {all:.3} m: a window cut out of \
+                 its motion lacks the velocity and displacement at the cut, and the processing puts in others"
             ),
             "begin and end the window where the ground hardly moves, use the whole record, or put a high-pass whose period is well \
-             below the window's length behind the taper",
+             below the window's length after the taper",
         )
     })
 }
