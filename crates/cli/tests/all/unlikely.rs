@@ -49,7 +49,9 @@ fn slips_of_units_are_warned_of_and_a_new_case_has_none() {
     ] {
         let words = errors(&tremolite(at, &["check", "study/case.toml", "--set", set]));
         assert!(
-            !words.contains("wide, where") && !words.contains("goes on") && !words.contains(" g, where"),
+            !words.contains("m wide; caverns")
+                && !words.contains("goes on")
+                && !words.contains(" g; earthquakes"),
             "{words}"
         );
     }

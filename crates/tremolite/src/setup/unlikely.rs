@@ -69,7 +69,7 @@ pub fn sizes(case: &Case, extent: f64) -> Vec<Diagnostic> {
         let sizes = [(&cavern.width, WIDTH, "wide"), (&cavern.height, HEIGHT, "high")];
         for (size, most, word) in sizes.into_iter().filter(|(size, most, _)| size.value > *most) {
             let message = format!(
-                "'{}' is {:.0} m {word}, where caverns are less than {most:.0}",
+                "'{}' is {:.0} m {word}; caverns are less than {most:.0} m",
                 cavern.name.value, size.value
             );
             all.push(Diagnostic::at(size, message, "look at its unit"));
