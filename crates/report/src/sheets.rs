@@ -26,7 +26,7 @@ pub struct Sheets {
     /// When the run started, and by what.
     dated: String,
     limits: Vec<LimitRow>,
-    /// How many of them are not met; empty where all are.
+    /// That some are not met; empty where all are.
     beyond: String,
     /// What to say where there are none.
     unlimited: String,
@@ -91,9 +91,9 @@ pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets
             ),
             false => String::new(),
         },
-        beyond: match limits.iter().filter(|row| row.is_beyond()).count() {
-            0 => String::new(),
-            number => say!(language, "{number} of {all} not met", number = number, all = limits.len()),
+        beyond: match limits.iter().any(LimitRow::is_beyond) {
+            true => say!(language, "not all are met"),
+            false => String::new(),
         },
         limits,
         earthquake: earthquake::facts(source, summary),

@@ -129,11 +129,11 @@ impl Source {
         self.units.scale(kind)
     }
 
-    /// A value with the page's unit of its quantity. Energies span too much for one: what would be less than a hundredth of it has the
-    /// unit that suits it.
+    /// A value with the page's unit of its quantity. Energies span too much for one: what would be written with a power of ten, below
+    /// a thousandth of it, has the unit that suits it.
     pub fn quantity(&self, kind: Kind, value: f64) -> String {
         let scale = self.units.scale(kind);
-        match kind == Kind::Energy && value != 0.0 && (value * scale.factor).abs() < 0.01 {
+        match kind == Kind::Energy && value != 0.0 && (value * scale.factor).abs() < 1e-3 {
             true => quantity("J", value),
             false => scale.quantity(value),
         }

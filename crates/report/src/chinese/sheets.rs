@@ -124,7 +124,7 @@ pub const TEXTS: Texts = &[
     ("of {stations}", "共 {stations} 个"),
     ("Limits of acceptance", "验收限值"),
     ("Relative displacement of two monitors", "两监测点的相对位移"),
-    ("{number} of {all} not met", "{all} 项中 {number} 项不满足"),
+    ("not all are met", "有限值不满足"),
     ("Earthquake and model", "地震与模型"),
     ("By part", "各部位"),
     ("Checks that warn", "有警告的检查"),
