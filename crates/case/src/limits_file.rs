@@ -38,7 +38,9 @@ mod tests {
     #[test]
     fn limits_are_read_with_their_units_and_others_are_refused() {
         let read = |text: &str| Limits::parse(Path::new("limits.toml"), text);
-        let limits = read("displacement = \"50 mm\"\nutilisation = 0.9\n").unwrap();
+        let limits =
+            read("displacement = \"50 mm\"\nutilisation = 0.9\nrelative_displacement = \"20 mm\"\n").unwrap();
+        assert_eq!(limits.relative_displacement, Some(0.02));
         assert_eq!((limits.displacement, limits.utilisation, limits.damage), (Some(0.05), Some(0.9), None));
         let refused = read("crack_with = \"1 mm\"\ndamage = 1.5\n").unwrap_err().to_string();
         assert!(refused.contains("crack_width") && refused.contains("limits.toml:2"), "{refused}");

@@ -42,7 +42,13 @@ pub(crate) static LIMITS: Table = Table {
             "displacement",
             LENGTH,
             "",
-            "Of a monitor, relative to the state before the earthquake",
+            "Of a monitor, relative to the state before the earthquake: the ground's own motion included",
+        ),
+        Key::optional(
+            "relative_displacement",
+            LENGTH,
+            "",
+            "Of two monitors against each other, of every [[relative]]: what closes or widens an opening",
         ),
         Key::optional("crack_width", LENGTH, "", "Widest crack"),
         Key::optional(
@@ -92,6 +98,8 @@ pub struct Limits {
     /// m
     pub displacement: Option<f64>,
     /// m
+    pub relative_displacement: Option<f64>,
+    /// m
     pub crack_width: Option<f64>,
     /// Share of a lining's volume.
     pub damage: Option<f64>,
@@ -118,6 +126,7 @@ impl Limits {
         let number = |key| f.number(key).map(|number| number.value);
         Limits {
             displacement: number("displacement"),
+            relative_displacement: number("relative_displacement"),
             crack_width: number("crack_width"),
             damage: number("damage"),
             utilisation: number("utilisation"),

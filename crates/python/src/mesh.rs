@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::path::PathBuf;
 use tremolite::Model;
-use tremolite::setup::{Inputs, mesh_of};
+use tremolite::setup::{Inputs, free_sides, mesh_of};
 use tremolite_case::Case;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Face, Mesh, Shape, quality, read_with_notes, sound, write};
@@ -141,7 +141,7 @@ pub fn to_python<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyAny
 /// # Errors
 /// Why it cannot be made or read.
 pub fn of_case<'py>(py: Python<'py>, case: &Case, inputs: &Inputs) -> PyResult<Bound<'py, PyAny>> {
-    match py.detach(|| mesh_of(&case.mesh, &case.ground, &case.directory, inputs)) {
+    match py.detach(|| mesh_of(&case.mesh, &case.ground, free_sides(case), &case.directory, inputs)) {
         Ok((mesh, _)) => to_python(py, &mesh),
         Err(problems) => Err(refused(py, &case.report(problems))),
     }

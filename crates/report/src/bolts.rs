@@ -86,7 +86,7 @@ fn last(source: &Source) -> Result<Last, String> {
     let when = if shaken {
         say!(language, "at {time}\u{a0}s", time = moment(last.time, source.duration()))
     } else {
-        say!(language, "when the stages are done")
+        say!(language, "after the stages")
     };
     Ok(Last { lines, when, shaken })
 }

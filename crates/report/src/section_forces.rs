@@ -93,8 +93,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
 fn table(language: Language, linings: &[Lining], duration: f64) -> TextTable {
     let shaken = linings.iter().any(Lining::shaken);
     let extremes = || [Head::number(say!(language, "largest")), Head::number(say!(language, "smallest"))];
-    let mut over =
-        vec![Head::words("").over(2), Head::number(say!(language, "when the stages are done")).over(2)];
+    let mut over = vec![Head::words("").over(2), Head::number(say!(language, "after the stages")).over(2)];
     let mut head = vec![Head::words(say!(language, "lining")), Head::words("")];
     head.extend(extremes());
     if shaken {

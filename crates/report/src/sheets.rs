@@ -26,6 +26,8 @@ pub struct Sheets {
     /// When the run started, and by what.
     dated: String,
     limits: Vec<LimitRow>,
+    /// That some are not met; empty where all are.
+    beyond: String,
     /// What to say where there are none.
     unlimited: String,
     earthquake: Vec<Fact>,
@@ -87,6 +89,10 @@ pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets
                 language,
                 "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE."
             ),
+            false => String::new(),
+        },
+        beyond: match limits.iter().any(LimitRow::is_beyond) {
+            true => say!(language, "not all are met"),
             false => String::new(),
         },
         limits,

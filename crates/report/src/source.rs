@@ -11,7 +11,7 @@ use tremolite_results::{
 };
 
 use crate::language::{Language, say};
-use crate::quantities::scale::Scale;
+use crate::quantities::scale::{Scale, quantity};
 use crate::quantities::units::{Kind, Units};
 use crate::source::field_files::FieldFiles;
 
@@ -129,9 +129,14 @@ impl Source {
         self.units.scale(kind)
     }
 
-    /// A value with the page's unit of its quantity.
+    /// A value with the page's unit of its quantity. Energies span too much for one: what would be written with a power of ten, below
+    /// a thousandth of it, has the unit that suits it.
     pub fn quantity(&self, kind: Kind, value: f64) -> String {
-        self.units.scale(kind).quantity(value)
+        let scale = self.units.scale(kind);
+        match kind == Kind::Energy && value != 0.0 && (value * scale.factor).abs() < 1e-3 {
+            true => quantity("J", value),
+            false => scale.quantity(value),
+        }
     }
 
     /// Whether there is anything to show of the ground's shaking, or should be. Where a run has only come through stages,

@@ -52,7 +52,7 @@ pub fn of_input(source: &Source) -> Option<Figure> {
     let target = facts.computed.motion.target.unwrap_or_default();
     let called = SpectrumPlace { name: String::new(), spectrum: [&target.sa, &target.sa, &[]] };
     if called.is_known() {
-        let name = say!(language, "what the design calls for of the motion given");
+        let name = say!(language, "design spectrum of the motion given");
         let (colour, periods) = (4, Some(&target.period[..]));
         drawn.push(DrawnSpectra { name, point: &called, colour, pen: Pen::Dashed, periods });
     }

@@ -8,6 +8,7 @@ mod checked;
 pub mod defaulted;
 mod fault;
 mod loaded;
+mod oversize;
 pub mod warnings;
 
 pub use crate::setup::Inputs;
@@ -15,6 +16,7 @@ pub use begun::{Begun, Caller};
 pub use checked::{Checked, Relaxed};
 pub use fault::{Fault, Remark, Why};
 pub use loaded::{Given, Loaded};
+pub use oversize::oversized;
 
 use crate::near_sides::{NearSide, near_sides};
 use crate::outlook::{Outlook, outlook};
@@ -209,7 +211,7 @@ impl Job {
 
     /// What is unusual of the model, in the order in which it is to be told behind that of [`Loaded::remarks`].
     pub fn remarks(&self) -> Vec<Remark> {
-        self.of_model.iter().filter_map(|problems| Remark::of(&self.case, problems)).collect()
+        Remark::of(&self.case, &self.of_model.concat()).into_iter().collect()
     }
 
     /// All that is unusual, each at its place in the case.

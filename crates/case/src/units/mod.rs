@@ -120,8 +120,12 @@ pub fn listed() -> Vec<(&'static str, &'static str, Vec<String>)> {
 pub fn likely(key: &str, value: f64, dimension: Dimension) -> String {
     let number = digits(value);
     match dimension {
-        // Lengths and times span too much for a guess, but for the thickness of a bar.
-        Dimension::LENGTH if key == "diameter" && value >= 1.0 => return format!("{number} mm"),
+        // Lengths and times span too much for a guess, but for those of bars, cracks and joints.
+        Dimension::LENGTH if key.contains("diameter") && value >= 1.0 => return format!("{number} mm"),
+        // Cracks and the closures of joints are fractions of a millimetre.
+        Dimension::LENGTH if matches!(key, "crack_width" | "max_closure") && value >= 0.005 => {
+            return format!("{number} mm");
+        }
         // Steel per metre of lining.
         Dimension::LENGTH if key == "area" && value >= 1.0 => return format!("{number} mm2/m"),
         Dimension::LENGTH if key == "area" => return format!("{number} m2/m"),
@@ -148,6 +152,8 @@ fn is_modulus(key: &str) -> bool {
 /// A usual value of a key. Moduli and strengths have one dimension.
 fn usual(key: &str, dimension: Dimension) -> &'static str {
     match named(key, dimension) {
+        // The steel of bolts and bars.
+        _ if dimension == Dimension::PRESSURE && key == "yield" => "400 MPa",
         _ if dimension == Dimension::PRESSURE && !is_modulus(key) => "10 MPa",
         Some(named) => named.example,
         None => "",

@@ -9,7 +9,7 @@ use super::infos;
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
 use std::path::{Path, PathBuf};
-use tremolite::setup::{Inputs, add_to_mesh, mesh_of};
+use tremolite::setup::{Inputs, add_to_mesh, free_sides, mesh_of};
 use tremolite_case::{Case, MeshAlone};
 use tremolite_mesh::cavern::CavernSpec;
 use tremolite_mesh::merge::merge_nodes;
@@ -70,12 +70,18 @@ fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
         let (made, case) = match MeshAlone::read(file).map_err(|r| Failure::case(&r))? {
             Some(alone) => {
                 let directory = file.parent().unwrap_or(Path::new(""));
-                let made = mesh_of(&alone.mesh, &alone.ground, directory, &Inputs::default());
+                let made = mesh_of(&alone.mesh, &alone.ground, [false; 2], directory, &Inputs::default());
                 (made.map_err(|p| alone.report(p)), None)
             }
             None => {
                 let case = Case::read(file, &infos()).map_err(|r| Failure::case(&r))?;
-                let made = mesh_of(&case.mesh, &case.ground, case.directory(), &Inputs::default());
+                let made = mesh_of(
+                    &case.mesh,
+                    &case.ground,
+                    free_sides(&case),
+                    case.directory(),
+                    &Inputs::default(),
+                );
                 (made.map_err(|p| case.report(p)), Some(case))
             }
         };

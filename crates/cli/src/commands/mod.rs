@@ -21,13 +21,16 @@ use tremolite::laws;
 use tremolite_case::Change;
 use tremolite_laws::{Isa, LawInfo};
 
-/// Reads a case, with the values of `set` (KEY=VALUE) at their keys, and builds what it asks for; what is unusual goes to the
-/// terminal.
-pub fn load(path: &Path, set: &[String], isa: Isa) -> Result<Loaded, Failure> {
+/// What the command line gives beside a case: the values of `set` (KEY=VALUE) at their keys, and an instruction set.
+pub fn given(set: &[String], isa: Isa) -> Result<Given, Failure> {
     let change = |text: &String| Change::of_option("--set", text);
     let changes: Vec<Change> = set.iter().map(change).collect::<Result<_, _>>().map_err(Failure::input)?;
-    let loaded = Loaded::read(path, &Given { changes, isa, ..Given::default() });
-    let loaded = loaded.map_err(|fault| refused(&fault, 0))?;
+    Ok(Given { changes, isa, ..Given::default() })
+}
+
+/// Reads a case and builds what it asks for; what is unusual goes to the terminal.
+pub fn load(path: &Path, given: &Given) -> Result<Loaded, Failure> {
+    let loaded = Loaded::read(path, given).map_err(|fault| refused(&fault, 0))?;
     tell(&loaded.remarks());
     Ok(loaded)
 }

@@ -59,9 +59,10 @@ fn lacks(what: &str, needed: u64, free: u64, least: &str) -> Option<String> {
 pub fn long(seconds: f64, set_by: &str) -> Option<String> {
     (seconds > LONG).then(|| {
         format!(
-            "the run would take {}: the step is set by {set_by}; make that one larger, elements coarser where waves allow it, or \
-             shake for a shorter time",
-            duration(seconds)
+            "the run would take {}: the step is set by {set_by}; {}, make elements coarser where waves allow it, or shake for a \
+             shorter time",
+            duration(seconds),
+            if set_by.starts_with("interface") { "give it a lower `normal_stiffness`" } else { "make that one larger" }
         )
     })
 }

@@ -3,7 +3,7 @@
 mod messages;
 
 use super::room::Free;
-use super::{load, modelled, pool};
+use super::{given, load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::ranks::{self, Started};
@@ -74,7 +74,7 @@ struct Asked {
 fn asked(args: &Args) -> Result<Asked, Failure> {
     let isa = machine::isa(args.isa.as_deref())?;
     let free = Free::now(args.out.as_deref().unwrap_or(Path::new("results")));
-    let loaded = load(&args.case, &args.set, isa)?;
+    let loaded = load(&args.case, &given(&args.set, isa)?)?;
     let room = |lacking: &[String]| match lacking {
         [] => Ok(()),
         _ if args.allow => Ok(()),

@@ -70,7 +70,10 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
             // An ellipse that is flatter bends too sharply at the springings.
             let least = if cavern.shape == CavernShape::Arch { 0.02 } else { 0.15 } * cavern.width;
             if cavern.arch_rise < least {
-                let must = format!("at least {least:.3} m for this width and shape");
+                let must = format!(
+                    "at least {least} m for a roof of this shape over {} m, its `width`",
+                    cavern.width
+                );
                 return Err(value(key("arch_rise"), cavern.arch_rise, must));
             }
             (cavern.height - cavern.arch_rise, "straight wall")

@@ -10,6 +10,9 @@ use crate::shown::shown;
 const FORMS: &str = "use 'detrend linear', 'baseline', 'baseline polynomial 3', 'pre-event 5 s', 'taper 1 s', \
                      'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'resample 0.005 s', 'scale 0.35', 'pga 0.3 g' or 'pga 3 m/s2'";
 
+/// Between what has no unit and how it is written with one.
+const LACKS_UNIT: &str = " without a unit; write ";
+
 /// Degrees of a baseline's polynomial: above, it begins to follow the shaking.
 const DEGREES: std::ops::RangeInclusive<usize> = 1..=10;
 
@@ -21,7 +24,11 @@ impl Process {
     /// # Errors
     /// A sentence that names the fault and the forms that are read.
     pub fn parse(text: &str) -> Result<Process, String> {
-        let wrong = |problem: String| format!("'{}': {problem}; {FORMS}", shown(text));
+        // Where a unit alone lacks, the form with it is all that is asked for.
+        let wrong = |problem: String| match problem.contains(LACKS_UNIT) {
+            true => format!("'{}': {problem}", shown(text)),
+            false => format!("'{}': {problem}; {FORMS}", shown(text)),
+        };
         if let Some(peak) =
             text.trim_start().strip_prefix("pga").filter(|p| p.starts_with(char::is_whitespace))
         {
@@ -46,7 +53,7 @@ impl Process {
             }
             match rest.last() {
                 Some(number) if !unit.is_empty() && !number.eq_ignore_ascii_case(unit) => {
-                    Err(wrong(format!("a number without a unit; write {} {unit}", shown(number))))
+                    Err(wrong(format!("a number{LACKS_UNIT}{} {unit}", shown(number))))
                 }
                 _ => Ok(values),
             }
@@ -93,7 +100,7 @@ fn peak_acceleration(text: &str) -> Result<Process, String> {
         _ => return Err(format!("'{}' is no number with a unit of acceleration", shown(text))),
     };
     if unit.is_empty() {
-        return Err(format!("a peak without a unit; give its unit: pga {value} g or pga {value} m/s2"));
+        return Err(format!("a peak{LACKS_UNIT}pga {value} g or pga {value} m/s2"));
     }
     let units: Units = unit.parse()?;
     if units.factor().is_none() {
@@ -216,19 +223,20 @@ mod tests {
             "pga 5 counts",
             "pga 1 2 g",
             "pga0.3 g",
-            "pga 0.3",
-            "pga 3e-1 ",
         ] {
             let message = Process::parse(text).unwrap_err();
             assert!(message.contains("'bandpass 0.1 Hz 20 Hz'"), "{text}: {message}");
         }
-        for (bare, said) in
-            [("taper 2", "write 2 s"), ("bandpass 0.1 20", "write 20 Hz"), ("highpass 0.1 Hz 3", "expected")]
-        {
+        for (bare, said) in [
+            ("taper 2", "write 2 s"),
+            ("bandpass 0.1 20", "write 20 Hz"),
+            ("highpass 0.1 Hz 3", "expected"),
+            ("pga 3e-1 ", "write pga 0.3 g"),
+        ] {
             let message = Process::parse(bare).unwrap_err();
             assert!(message.contains(said), "{message}");
         }
         let bare = Process::parse("pga 0.3").unwrap_err();
-        assert!(bare.contains("give its unit: pga 0.3 g or pga 0.3 m/s2"), "{bare}");
+        assert_eq!(bare, "'pga 0.3': a peak without a unit; write pga 0.3 g or pga 0.3 m/s2");
     }
 }

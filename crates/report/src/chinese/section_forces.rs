@@ -28,7 +28,7 @@ pub const TEXTS: Texts = &[
     ),
     (" The file holds no extremes of the shaking.", "文件中没有地震过程的极值。"),
     ("No figure: fewer than two stations have numbers.", "无图：有数值的计算截面少于两个。"),
-    ("when the stages are done", "施工阶段结束时"),
+    ("after the stages", "施工阶段结束时"),
     ("while the ground shakes", "地震过程中"),
     ("lining", "衬砌"),
     ("{lining}: forces along the lining", "{lining}：内力沿衬砌的分布"),

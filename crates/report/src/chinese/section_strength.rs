@@ -4,15 +4,15 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     ("{lining}: N and M against the strength of the sections", "{lining}：N、M 与断面承载力"),
-    ("when each station uses most, while the ground shakes", "各断面利用率最大时（地震中）"),
+    ("each station at its largest utilisation", "各断面利用率最大时"),
     ("{thickness} m, without bars ({stations} stations)", "厚 {thickness} m，无筋（{stations} 个断面）"),
     (
-        "{thickness} m, bars of {inner} mm²/m inside and {outer} mm²/m outside ({stations} stations)",
+        "{thickness} m, bars {inner} + {outer} mm²/m ({stations} stations)",
         "厚 {thickness} m，内侧钢筋 {inner} mm²/m，外侧 {outer} mm²/m（{stations} 个断面）",
     ),
     ("N (kN/m), tension positive; upwards M (kN\u{a0}m/m)", "N（kN/m），受拉为正；纵轴 M（kN\u{a0}m/m）"),
     (
-        "Design strength by {code}, bars included; each point is N and M of one instant. Inside its line a section bears them.",
+        "Design strength by {code}, bars (inside + outside) included; each point is N and M of one instant. Inside its line a section bears them.",
         "按 {code} 的设计承载力，计入钢筋；每点为同一时刻的 N 与 M。点在本断面的包络线以内时，断面可以承受。",
     ),
     ("crack width left", "残余裂缝宽度"),
@@ -37,12 +37,9 @@ pub const TEXTS: Texts = &[
         "sections.csv 中没有厚度，也没有最大弯矩时刻的轴力。",
     ),
     ("elastic section: a fibre reaches f_t or f_c", "弹性截面：截面边缘达到 f_t 或 f_c"),
+    ("cracked section: no tension, f_c in compression", "开裂后的截面：不计拉应力，受压区应力为 f_c"),
     (
-        "what is left once cracked: no tension, f_c over the compressed part",
-        "开裂后的截面：不计拉应力，受压区应力为 f_c",
-    ),
-    (
-        "extremes of M and N while the ground shakes, each with the other of that time",
+        "largest M or N in the earthquake, with the other at that instant",
         "地震中弯矩与轴力的极值（另一内力取同一时刻）",
     ),
     ("{lining}: moment over thrust against strength", "{lining}：轴力—弯矩与截面强度"),

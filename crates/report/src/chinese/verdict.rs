@@ -74,6 +74,13 @@ pub const TEXTS: Texts = &[
         "Interface {name}: opened over {opened} of its area, slid nowhere.",
         "接触面 {name}：张开面积占 {opened}，没有滑移。",
     ),
+    ("Largest slip {slip}.", "最大滑移量 {slip}。"),
+    ("Largest gap {gap}.", "最大张开量 {gap}。"),
+    ("Largest slip {slip}, largest gap {gap}.", "最大滑移量 {slip}，最大张开量 {gap}。"),
+    (
+        "Bolts of {groups} groups: none of {all} yielded; largest force {share} of yield, in {name}.",
+        "{groups} 组锚杆：{all} 根均未屈服；最大轴力为屈服力的 {share}，位于 {name}。",
+    ),
     ("Reinforcement {name}: no bar yielded.", "{name} 的钢筋：均未屈服。"),
     ("Reinforcement {name}: bars yielded, none broke.", "{name} 的钢筋：有屈服，无拉断。"),
     ("Reinforcement {name}: bars yielded and broke.", "{name} 的钢筋：有屈服并有拉断。"),

@@ -187,7 +187,7 @@ impl Scene {
         mut said: Vec<String>,
     ) -> Section {
         let mut figures = Vec::new();
-        if let Some((svg, more)) = self.on_section(language, title, maps) {
+        if let Some(([svg, narrow], more)) = self.on_section(language, title, maps) {
             let mut own = said.clone();
             own.push(more);
             said = vec![say!(language, "The same numbers over the whole lining.")];
@@ -197,7 +197,7 @@ impl Scene {
                 svg,
                 caption: language.joined(&own),
                 curves: None,
-                narrow: None,
+                narrow: Some(narrow),
             });
         }
         let maps: Vec<(String, &[f64])> =
@@ -223,7 +223,7 @@ impl Scene {
     }
 
     /// The section, and what is to be said of it; nothing where it meets no lining.
-    fn on_section(&self, language: Language, title: &str, maps: &[Damage]) -> Option<(String, String)> {
+    fn on_section(&self, language: Language, title: &str, maps: &[Damage]) -> Option<([String; 2], String)> {
         let cut = self.last.cut(&self.slice, &MEAN)?;
         let inside: Vec<bool> = self.slice.pieces.iter().map(|piece| self.inside[piece.cell]).collect();
         let own: Vec<usize> = (0..cut.cells.len()).filter(|&k| inside[k]).collect();
@@ -232,13 +232,13 @@ impl Scene {
         }
         let thick = Thick::of(&cut.cells, &inside);
         let window = window(&cut, &self.positions, MARGIN, |_| false);
-        let row = MapRow::of(window, maps.len());
+        let [wide, narrow] = [MapRow::of(window.clone(), maps.len()), MapRow::narrow(window, maps.len())];
         let mut drawn = cut.cells.clone();
         own.iter().for_each(|&k| drawn[k].outline = thick.outline(&drawn[k].outline));
         let lining: Vec<_> = own.iter().map(|&k| drawn[k].clone()).collect();
         let ground = cut.cells.iter().zip(&inside).filter(|(_, inside)| !**inside);
         let ground: Vec<_> = ground.map(|(cell, _)| cell.clone()).collect();
-        let frame = |map: &Damage| {
+        let frame = |row: &MapRow, map: &Damage| {
             let mut frame = row.frame(RANGE.0, RANGE.1);
             for cell in &ground {
                 frame.kind(&cell.outline, &say!(language, "rock"), ROCK);
@@ -258,8 +258,10 @@ impl Scene {
             }
             (say!(language, "{title}: up to {most}", title = map.title, most = self.most(map)), frame)
         };
-        let maps: Vec<_> = maps.iter().map(frame).collect();
-        let svg = row.draw(title, &maps, &say!(language, "a section coloured by element"));
+        let [svg, narrow] = [(&wide, title), (&narrow, "")].map(|(row, title)| {
+            let maps: Vec<_> = maps.iter().map(|map| frame(row, map)).collect();
+            row.draw(title, &maps, &say!(language, "a section coloured by element"))
+        });
         let plane = on_plane(language, cut.y);
         let more = if thick.factor > 1.0 {
             say!(
@@ -271,7 +273,7 @@ impl Scene {
         } else {
             say!(language, "Here {plane}.", plane = plane)
         };
-        Some((svg, more))
+        Some(([svg, narrow], more))
     }
 
     /// The largest value of an element.

@@ -15,7 +15,7 @@ use crate::quantities::scale::{Scale, moment};
 const LEFT: f64 = 56.0;
 const RIGHT: f64 = 16.0;
 /// Of all panels of a figure that is narrow.
-const NARROW_HEIGHT: f64 = 400.0;
+const NARROW_HEIGHT: f64 = 340.0;
 /// Room for a panel's heading.
 const HEADING: f64 = 32.0;
 

@@ -2,24 +2,31 @@
 
 use crate::drawing::colours;
 use crate::drawing::frame::Frame;
-use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::plot::{NARROW, WIDTH};
+use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::drawing::window::Window;
 
-const WIDTH: f64 = 940.0;
 const LEFT: f64 = 56.0;
 /// Right of the maps: the colour bar and its labels.
 const BAR: f64 = 118.0;
 const BETWEEN: f64 = 14.0;
+/// Left of the names of narrow maps.
+const EDGE: f64 = 6.0;
 /// Above the maps: the title, and a line for what each of several is.
 const TITLE: f64 = 30.0;
 const LINE: f64 = 20.0;
 /// Below a map: its numbers.
 const BELOW: f64 = 44.0;
 const TALLEST: f64 = 560.0;
+/// The same of a figure that stands beside another on a sheet of paper; of maps above each other all that the sheet has room for.
+const NARROW_TALLEST: [f64; 2] = [300.0, 390.0];
+/// By how much maps above each other must be larger than beside each other, since on a page they leave half of it empty.
+const WORTH: f64 = 1.4;
 
 /// So many maps of one window.
 pub struct MapRow {
     window: Window,
+    width: f64,
     beside: bool,
     room: (f64, f64),
 }
@@ -27,15 +34,24 @@ pub struct MapRow {
 impl MapRow {
     /// Beside each other, unless maps of this window are drawn much larger above each other.
     pub fn of(window: Window, maps: usize) -> Self {
+        MapRow::at(window, maps, WIDTH, [TALLEST, 1.5 * TALLEST], WORTH)
+    }
+
+    /// The same of a figure that stands beside another on a sheet of paper.
+    pub fn narrow(window: Window, maps: usize) -> Self {
+        MapRow::at(window, maps, NARROW, NARROW_TALLEST, 1.0)
+    }
+
+    /// Of so wide a figure; `tallest` is what maps beside each other and above each other have of its height.
+    fn at(window: Window, maps: usize, width: f64, tallest: [f64; 2], worth: f64) -> Self {
         let n = maps.max(1) as f64;
-        let across = WIDTH - LEFT - BAR;
-        let beside = ((across - (n - 1.0) * BETWEEN) / n, TALLEST);
-        let above = (across, (1.5 * TALLEST - (n - 1.0) * (BELOW + LINE)) / n);
-        let [width, height] = window.size();
-        let zoom = |room: (f64, f64)| (room.0 / width).min(room.1 / height);
-        // Above each other they leave a page half empty, unless they are long.
-        let best = maps < 2 || 1.4 * zoom(beside) >= zoom(above);
-        MapRow { window, beside: best, room: if best { beside } else { above } }
+        let across = width - LEFT - BAR;
+        let beside = ((across - (n - 1.0) * BETWEEN) / n, tallest[0]);
+        let above = (across, (tallest[1] - (n - 1.0) * (BELOW + LINE)) / n);
+        let [wide, high] = window.size();
+        let zoom = |room: (f64, f64)| (room.0 / wide).min(room.1 / high);
+        let best = maps < 2 || worth * zoom(beside) >= zoom(above);
+        MapRow { window, width, beside: best, room: if best { beside } else { above } }
     }
 
     /// A map of the row, coloured from `low` to `high` (in the display unit).
@@ -45,15 +61,21 @@ impl MapRow {
 
     /// The figure as SVG: the title above, and above each map what it is, if it is not empty. The bar is that of the first.
     pub fn draw(&self, title: &str, maps: &[(String, Frame)], description: &str) -> String {
-        let mut svg = Svg::new(WIDTH);
+        let mut svg = Svg::new(self.width);
         svg.text((LEFT, TITLE - 12.0), Anchor::Start, 14.0, Style::Bold, title);
         let line = if maps.iter().any(|(name, _)| !name.is_empty()) { LINE } else { 0.0 };
-        let (mut at, mut end) = ((LEFT, TITLE + line), (0.0, 0.0));
+        let above = if title.is_empty() { 0.0 } else { TITLE };
+        let (mut at, mut end) = ((LEFT, (above + line).max(8.0)), (0.0, 0.0));
         let top = at.1;
         for (k, (name, frame)) in maps.iter().enumerate() {
-            svg.text((at.0, at.1 - 8.0), Anchor::Start, 13.0, Style::Plain, name);
             frame.paint(&mut svg, at, k == 0 || !self.beside);
             let (width, height) = frame.size();
+            // Beside other maps a name has its map's width; on a narrow figure all up to the bar.
+            let narrow = self.width < WIDTH && !self.beside;
+            let from = if narrow { EDGE } else { at.0 };
+            let room = if self.beside || narrow { at.0 + width - from } else { self.width - LEFT };
+            let size = 13.0 * (room / text_width(name, 13.0)).min(1.0);
+            svg.text((from, at.1 - 8.0), Anchor::Start, size, Style::Plain, name);
             end = (at.0 + width, at.1 + height);
             let words = if k == 0 || !self.beside { "x (m), z (m)" } else { "x (m)" };
             svg.text((end.0, end.1 + 36.0), Anchor::End, 12.0, Style::Muted, words);

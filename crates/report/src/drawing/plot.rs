@@ -6,8 +6,8 @@ use crate::drawing::ticks::Ticks;
 
 /// Width of a figure.
 pub const WIDTH: f64 = 940.0;
-/// Width of one that stands beside another on a sheet of paper: shrunk to half of it, its texts have 1.9 mm.
-pub const NARROW: f64 = 560.0;
+/// Width of one that stands beside another on a sheet of paper: shrunk to half of it, its texts have 2.3 mm.
+pub const NARROW: f64 = 470.0;
 /// Room left of the axes for their numbers.
 pub const LEFT: f64 = 64.0;
 pub const RIGHT: f64 = 16.0;
@@ -69,7 +69,9 @@ pub fn title(svg: &mut Svg, (left, top): (f64, f64), width: f64, title: &str, cu
             continue;
         }
         named.push(&curve.name);
-        let wide = 25.0 + text_width(&curve.name, 12.0) + 14.0;
+        // A name that is longer than the figure is wide is set smaller.
+        let size = 12.0 * ((width - 25.0) / text_width(&curve.name, 12.0)).min(1.0);
+        let wide = 25.0 + text_width(&curve.name, size) + 14.0;
         if named.len() == 1 || x + wide > left + width {
             (x, y) = (left, y + ROW);
         }
@@ -79,7 +81,7 @@ pub fn title(svg: &mut Svg, (left, top): (f64, f64), width: f64, title: &str, cu
         if matches!(curve.pen, Pen::Dots | Pen::Marked) {
             svg.dots(curve.colour, &[(x + 10.0, y - 4.5)]);
         }
-        svg.text((x + 25.0, y), Anchor::Start, 12.0, Style::Plain, &curve.name);
+        svg.text((x + 25.0, y), Anchor::Start, size, Style::Plain, &curve.name);
         x += wide;
     }
     y + 10.0

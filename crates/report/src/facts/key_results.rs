@@ -99,6 +99,12 @@ pub fn largest_displacement<'a>(source: &Source, facts: &'a Summary) -> Option<(
     longest(source.monitors.as_ref().ok()?, counted(facts).1.into_iter())
 }
 
+/// Pair of monitors, time (s) and length (m) of the largest displacement of two against each other, without loose pieces.
+pub fn largest_relative(source: &Source, facts: &Summary) -> Option<(String, f64, f64)> {
+    let (pair, _, peaks) = extreme(held(source, facts).0, |name| name == "u", |p| p.max)?;
+    Some((pair.to_string(), peaks.t_max, peaks.max))
+}
+
 /// What the stages before the shaking left: the most that a wall moved, what has yielded, and how far from rest it is.
 fn stage_cards(source: &Source, facts: &Summary) -> Vec<Fact> {
     let language = source.language;

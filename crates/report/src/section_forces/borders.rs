@@ -43,11 +43,11 @@ pub fn figure(
     let mut curves: Vec<PlotCurve> =
         of.borders.iter().zip(LINES).map(|(b, colour)| line(language, b, colour)).collect();
     if !shaken.is_empty() {
-        let name = say!(language, "when each station uses most, while the ground shakes");
+        let name = say!(language, "each station at its largest utilisation");
         curves.push(PlotCurve::new(name, SHAKEN, Pen::Dots, shaken));
     }
     if !after.is_empty() {
-        curves.push(PlotCurve::new(say!(language, "when the stages are done"), AFTER, Pen::Dots, after));
+        curves.push(PlotCurve::new(say!(language, "after the stages"), AFTER, Pen::Dots, after));
     }
     let ((left, right), (low, high)) = plot::ranges(&curves);
     let title = say!(language, "{lining}: N and M against the strength of the sections", lining = lining);
@@ -59,7 +59,7 @@ pub fn figure(
             left: LEFT,
             right: width - RIGHT,
             top,
-            bottom: top + 320.0,
+            bottom: top + if width < WIDTH { 250.0 } else { 320.0 },
             across: Ticks::around(left, right, if width < WIDTH { 6 } else { 10 }),
             up: Ticks::around(low, high, 7),
         };
@@ -70,7 +70,7 @@ pub fn figure(
     let (svg, narrow) = (drawn(WIDTH, &title), Some(drawn(NARROW, "")));
     let caption = say!(
         language,
-        "Design strength by {code}, bars included; each point is N and M of one instant. Inside its line a section bears them.",
+        "Design strength by {code}, bars (inside + outside) included; each point is N and M of one instant. Inside its line a section bears them.",
         code = of.code
     );
     Some(Figure {
@@ -96,7 +96,7 @@ fn line(language: Language, border: &Border, colour: usize) -> PlotCurve {
         ),
         [inner, outer] => say!(
             language,
-            "{thickness} m, bars of {inner} mm²/m inside and {outer} mm²/m outside ({stations} stations)",
+            "{thickness} m, bars {inner} + {outer} mm²/m ({stations} stations)",
             thickness = thickness,
             inner = area(inner),
             outer = area(outer),

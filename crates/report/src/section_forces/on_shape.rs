@@ -15,7 +15,11 @@ const TOP: f64 = 52.0;
 /// Beside the ordinates, for their numbers.
 const ROOM: f64 = 46.0;
 /// By this texts are larger where the drawing is shrunk to half a page's width.
-const LARGER: f64 = 1.6;
+const LARGER: f64 = 2.0;
+/// Room beside the ordinates there, for numbers that stand over the ends of their neighbours.
+const LARGER_ROOM: f64 = 80.0;
+/// The forces in a word there.
+const BRIEF: [&str; 3] = ["N (kN/m)", "M (kN\u{a0}m/m)", "Q (kN/m)"];
 
 /// Forces at a station by which a diagram is drawn; none where there is no number.
 type Of<'a> = &'a dyn Fn(&Station) -> Option<f64>;
@@ -36,13 +40,15 @@ pub fn figure(
     let description = say!(language, "thrust, moment and shear on the section of the lining");
     let drawn = |larger: f64| {
         let cell = WIDTH / 3.0;
-        let margin = LONGEST + larger.sqrt() * ROOM;
+        let shrunk = larger > 1.0;
+        let margin = LONGEST + if shrunk { LARGER_ROOM } else { ROOM };
         let zoom = ((cell - 2.0 * margin) / (x.1 - x.0).max(1e-9))
             .min((TALLEST - 2.0 * LONGEST) / (z.1 - z.0).max(1e-9));
         let height = (z.1 - z.0) * zoom + 2.0 * LONGEST + 2.0 * ROOM;
         let mut svg = Svg::new(WIDTH);
         let top = legend(language, &mut svg, lining, larger);
         for (i, force) in forces(language).into_iter().enumerate() {
+            let force = if shrunk { BRIEF[i].to_owned() } else { force };
             let middle = (i as f64 + 0.5) * cell;
             let size = (13.0 * larger).min(0.96 * cell / text_width(&force, 1.0));
             svg.text((middle, top - 8.0), Anchor::Middle, size, Style::Bold, &force);

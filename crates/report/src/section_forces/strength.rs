@@ -104,15 +104,14 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
             strength.elastic(),
         ),
         PlotCurve::new(
-            say!(language, "what is left once cracked: no tension, f_c over the compressed part"),
+            say!(language, "cracked section: no tension, f_c in compression"),
             1,
             Pen::Dashed,
             Strength::ultimate(),
         ),
     ];
     if !shaken.is_empty() {
-        let name =
-            say!(language, "extremes of M and N while the ground shakes, each with the other of that time");
+        let name = say!(language, "largest M or N in the earthquake, with the other at that instant");
         curves.push(PlotCurve::new(name, 6, Pen::Dots, points(&shaken)));
     }
     if !after.is_empty() {
@@ -139,7 +138,7 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
             left: LEFT,
             right: width - RIGHT,
             top,
-            bottom: top + 320.0,
+            bottom: top + if width < WIDTH { 250.0 } else { 320.0 },
             across: Ticks::within(left, right, if width < WIDTH { 6 } else { 10 }),
             up: Ticks::within(-most, most, 7),
         };

@@ -213,13 +213,8 @@ pub fn figure(
     type Of<'a> = &'a dyn Fn(&str) -> bool;
     let wanted: [(String, Of, Value, usize); 3] = [
         (say!(language, "thrust and moment, after the stages"), &still, |r| r.bending, 3),
-        (
-            say!(language, "thrust and moment, most while the ground shakes"),
-            &|w| w == "max",
-            |r| r.bending,
-            1,
-        ),
-        (say!(language, "shear, most while the ground shakes"), &|w| w == "max_shear", |r| r.shear, 0),
+        (say!(language, "thrust and moment, largest in the earthquake"), &|w| w == "max", |r| r.bending, 1),
+        (say!(language, "shear, largest in the earthquake"), &|w| w == "max_shear", |r| r.shear, 0),
     ];
     let curve = |(name, when, value, colour): (String, Of, Value, usize)| {
         let points = section.iter().zip(&along);
@@ -233,7 +228,7 @@ pub fn figure(
         return None;
     }
     curves.push(PlotCurve::new(
-        say!(language, "all of the strength"),
+        say!(language, "design strength"),
         2,
         Pen::Dashed,
         vec![(0.0, 1.0), (end, 1.0)],
@@ -244,7 +239,7 @@ pub fn figure(
         curve.pieces.iter_mut().flatten().for_each(|p| p.1 = p.1.min(most));
     }
     let title = say!(language, "{lining}: utilisation of the sections", lining = lining);
-    let below = say!(language, "along the lining (m), from below by the wall of greater x over the crown");
+    let below = say!(language, "along the lining (m), from the foot at greater x over the crown");
     let drawn = |width: f64, heading: &str| {
         let mut svg = Svg::new(width);
         let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &curves);
@@ -252,8 +247,8 @@ pub fn figure(
             left: LEFT,
             right: width - RIGHT,
             top,
-            bottom: top + 240.0,
-            across: Ticks::within(0.0, end, 12),
+            bottom: top + if width < WIDTH { 220.0 } else { 240.0 },
+            across: Ticks::within(0.0, end, if width < WIDTH { 7 } else { 12 }),
             up: Ticks::around(0.0, most, 6),
         };
         plot::draw(&mut svg, &axes, &curves);

@@ -22,7 +22,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     let level = if level.is_empty() { say!(language, "its level is not given") } else { level.clone() };
     facts.push(card(label(), level, ""));
     let place = match motion.kind.as_str() {
-        "outcrop" => say!(language, "at the surface of rock that crops out; half of it comes in from below"),
+        "outcrop" => say!(language, "on outcropping rock; half of it is the incident wave"),
         "incident" => say!(language, "the wave that comes in from below"),
         "within" => say!(language, "within the ground, at the depth of the record"),
         "surface" => say!(language, "at the surface of the ground"),
@@ -36,7 +36,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     let mut peaks_told: Vec<String> = Vec::new();
     for (peaks, label) in [
         (&motion.given_peak_acceleration, say!(language, "Peak acceleration, motion given")),
-        (&motion.peak_acceleration, say!(language, "Peak acceleration, wave that comes in")),
+        (&motion.peak_acceleration, say!(language, "Peak acceleration, incident wave")),
     ] {
         let most = peaks.values().fold(0.0_f64, |most, peak| most.max(peak.abs()));
         // Round-off of a component that the record does not have is no motion.

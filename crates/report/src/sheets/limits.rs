@@ -4,7 +4,7 @@ use serde::Serialize;
 use tremolite_results::Summary;
 
 use crate::damage::opening;
-use crate::facts::key_results::largest_displacement;
+use crate::facts::key_results::{largest_displacement, largest_relative};
 use crate::language::say;
 use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
@@ -24,6 +24,13 @@ pub struct LimitRow {
     mark: String,
 }
 
+impl LimitRow {
+    /// Whether what was found is beyond it.
+    pub fn is_beyond(&self) -> bool {
+        self.class == "fail"
+    }
+}
+
 /// A value found: as it is told, where, and its number.
 type Found = Option<(f64, String, String)>;
 
@@ -35,6 +42,11 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
             say!(language, "Displacement of a monitor"),
             source.quantity(Kind::Displacement, limit),
             displacement(source, summary),
+        ),
+        "relative_displacement" => (
+            say!(language, "Relative displacement of two monitors"),
+            source.quantity(Kind::Displacement, limit),
+            relative(source, summary),
         ),
         "crack_width" => {
             (say!(language, "Crack width"), source.quantity(Kind::Opening, limit), crack(source, summary))
@@ -96,6 +108,13 @@ fn displacement(source: &Source, summary: &Summary) -> Found {
     let (monitor, time, size) = largest_displacement(source, summary)?;
     let at = crate::quantities::scale::moment(time, source.duration());
     let note = say!(source.language, "{monitor} at {time}\u{a0}s", monitor = monitor, time = at);
+    Some((size, source.quantity(Kind::Displacement, size), note))
+}
+
+fn relative(source: &Source, summary: &Summary) -> Found {
+    let (pair, time, size) = largest_relative(source, summary)?;
+    let at = crate::quantities::scale::moment(time, source.duration());
+    let note = say!(source.language, "{monitor} at {time}\u{a0}s", monitor = pair, time = at);
     Some((size, source.quantity(Kind::Displacement, size), note))
 }
 

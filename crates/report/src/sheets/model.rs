@@ -13,7 +13,8 @@ const NAMED: usize = 4;
 /// Materials that have a line: more would take the sheet's room.
 const MATERIALS: usize = 5;
 /// Parameters of a material that are told.
-const TOLD: [&str; 8] = [
+const TOLD: [&str; 12] = [
+    "grade",
     "young",
     "poisson",
     "cohesion",
@@ -21,7 +22,10 @@ const TOLD: [&str; 8] = [
     "tensile_strength",
     "compressive_strength",
     "fracture_energy",
+    "ucs",
     "gsi",
+    "m_i",
+    "disturbance",
 ];
 
 /// By which code sections are judged, with its factors and the bars.
@@ -66,7 +70,9 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     for material in tables.iter().take(MATERIALS) {
         let told = material.given.iter().filter(|row| TOLD.contains(&row.name.as_str()));
         let mut parts = vec![material.law.clone()];
-        parts.extend(told.map(|row| format!("{} {}", symbol(&row.name), row.value)));
+        // What is left out and does nothing by itself is not told.
+        let told = told.filter(|row| !(row.default && row.name == "disturbance"));
+        parts.extend(told.map(|row| format!("{} {}", symbol(&row.name), row.value).trim().to_owned()));
         parts.push(material.density.clone());
         let label = say!(language, "Material {name}", name = material.name);
         let values = parts.join(&say!(language, ", "));
@@ -151,7 +157,11 @@ fn symbol(name: &str) -> &str {
         "tensile_strength" => "f_t",
         "compressive_strength" => "f_c",
         "fracture_energy" => "G_f",
+        // C25/30 says what it is.
+        "grade" => "",
+        "ucs" => "σ_ci",
         "gsi" => "GSI",
+        "disturbance" => "D",
         other => other,
     }
 }

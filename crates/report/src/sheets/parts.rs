@@ -84,5 +84,5 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
 
 /// Interfaces, bolts and rock, a sentence each.
 pub fn around(source: &Source, summary: &Summary) -> Vec<String> {
-    surroundings::around(source.language, summary).into_iter().map(|(_, text)| text).collect()
+    surroundings::all_around(source.language, summary)
 }

@@ -119,7 +119,7 @@ fn refused(report: case::Report) -> Fault {
 }
 
 /// What the laws of materials and interfaces say of themselves.
-fn infos(laws: &Laws) -> [Vec<LawInfo>; 2] {
+pub(super) fn infos(laws: &Laws) -> [Vec<LawInfo>; 2] {
     [
         laws.materials.iter().map(|law| law.info).collect(),
         laws.interfaces.iter().map(|law| law.info).collect(),

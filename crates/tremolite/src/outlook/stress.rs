@@ -42,7 +42,7 @@ pub fn stress_at_start(model: &Model) -> Vec<StressAt> {
         }
     };
     let [x, y, _] = middle;
-    let within = if out.is_empty() { "in the middle" } else { "where is taken out first" };
+    let within = if out.is_empty() { "in the middle" } else { "in what is excavated first" };
     let nearest = |point: [f64; 3]| {
         let square = |e: &u32| -> f64 {
             let centre = centroid(&model.mesh, *e);

@@ -43,11 +43,11 @@ pub fn of_window(
         Diagnostic::at(
             window,
             format!(
-                "the window, processed, moves by up to {part:.3} m, and the whole record, processed alike, by {all:.3} m: cut out of its \
-                 motion it does not know its velocity and displacement, and \"baseline\" makes up others"
+                "the window, processed, is displaced by up to {part:.3} m, the whole record, processed alike, by {all:.3} m: a window cut out of \
+                 its motion lacks the velocity and displacement at the cut, and the processing puts in others"
             ),
             "begin and end the window where the ground hardly moves, use the whole record, or put a high-pass whose period is well \
-             below the window's length behind the taper",
+             below the window's length after the taper",
         )
     })
 }
@@ -169,13 +169,14 @@ pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
 /// Damping in proportion to the mass that takes more of the motion than rock does.
 pub fn of_mass_damping(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
     let mass = &case.dynamic.rayleigh.mass;
-    let frequency = tremolite_motion::highest_frequency(wave, 0.5)?;
+    // A motion with an offset has half of its energy at rest: that it needs a baseline is said elsewhere.
+    let frequency = tremolite_motion::highest_frequency(wave, 0.5).filter(|hertz| *hertz > 0.0)?;
     let ratio = mass_damping(mass.value, frequency);
     (ratio > MOST_MASS_DAMPING).then(|| {
         Diagnostic::at(
             mass,
             format!(
-                "it damps {:.0} % of critical at {frequency:.2} Hz, below which half of the motion's energy lies, where rock and concrete \
+                "this damping is {:.0} % of critical at {frequency:.2} Hz, below which half of the motion's energy lies; rock and concrete \
                  have 1 to 5 %",
                 100.0 * ratio
             ),

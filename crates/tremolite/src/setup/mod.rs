@@ -25,7 +25,7 @@ mod sides;
 mod site;
 mod soaked;
 mod stages;
-mod unlikely;
+pub(crate) mod unlikely;
 mod warnings;
 mod water;
 mod wave_sides;
@@ -67,23 +67,29 @@ pub struct Setup {
 }
 
 /// The mesh of a case, or of a mesh's own description, with what is made of it, in this folder or `held` in memory: in metres, and
-/// what is worth knowing of it, at its place in the file.
+/// what is worth knowing of it, at its place in the file. Sides that are `free` need not match one another ([`free_sides`] of a case).
 ///
 /// # Errors
 /// Why it cannot be generated or read, at its place in the file.
 pub fn mesh_of(
     mesh: &case::Mesh,
     ground: &case::Ground,
+    free: [bool; 2],
     directory: &Path,
     held: &Inputs,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Diagnostic>), Vec<case::Diagnostic>> {
     let mut problems = Vec::new();
-    let built = mesh::build(mesh, ground, [false; 2], directory, held, &mut problems);
+    let built = mesh::build(mesh, ground, free, directory, held, &mut problems);
     let Some(mesh::Built { mesh, mut warnings, doubled, .. }) = built else {
         return Err(problems);
     };
     warnings.extend(doubled);
     Ok((mesh, warnings))
+}
+
+/// Of the sides normal to x and to y of a case, whether nodes of the two need not match: all but periodic ones.
+pub fn free_sides(case: &Case) -> [bool; 2] {
+    case.dynamic.sides.each_ref().map(|side| side.value != case::Side::Periodic)
 }
 
 /// Makes groups by place in a mesh that is there, then linings of its holes, as a description of where it comes from has them.
@@ -160,8 +166,7 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
 pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
     let motion = motion::build(case, held, &mut problems);
-    let free = case.dynamic.sides.each_ref().map(|side| side.value != case::Side::Periodic);
-    let mesh = mesh::build(&case.mesh, &case.ground, free, case.directory(), held, &mut problems);
+    let mesh = mesh::build(&case.mesh, &case.ground, free_sides(case), case.directory(), held, &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some(mesh::Built { mut mesh, mut warnings, doubled, taken }) = mesh else {

@@ -122,8 +122,9 @@ fn steps(motion: &case::Motion, problems: &mut Vec<Diagnostic>) -> Vec<Process> 
         .filter_map(|word| match Process::parse(word) {
             Ok(step) => Some(step),
             Err(message) => {
-                let remedy = "write, say, \"pre-event 5 s\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\", \"pga 0.3 g\" and \"baseline\", each a step of its own";
-                problems.push(Diagnostic::at(word, message, remedy));
+                // The reader of steps tells their forms behind what is wrong.
+                let (what, remedy) = message.split_once("; ").unwrap_or((&message, "see docs/records.md"));
+                problems.push(Diagnostic::at(word, what, remedy));
                 None
             }
         })

@@ -23,9 +23,10 @@ pub fn target(target: &case::TargetSpectrum) -> TargetSpectrum {
 
 /// Limits by the names that a summary has for them.
 pub fn limits(limits: &Limits) -> Vec<(String, f64)> {
-    let Limits { displacement, crack_width, damage, utilisation } = *limits;
+    let Limits { displacement, relative_displacement, crack_width, damage, utilisation } = *limits;
     [
         ("displacement", displacement),
+        ("relative_displacement", relative_displacement),
         ("crack_width", crack_width),
         ("damage", damage),
         ("utilisation", utilisation),

@@ -9,7 +9,7 @@ use tremolite_engine::{Assembly, Body, Model, Phase, Problem, Stage, stable_step
 use tremolite_kernels::{Quadrature, elastic};
 use tremolite_laws::shapes::hex8::element_frequencies;
 use tremolite_laws::{Dimension, Moduli};
-use tremolite_mesh::cut::{Bounds, Cut, cut};
+use tremolite_mesh::cut::{Bounds, Cut, CutError, cut};
 use tremolite_mesh::{Element, Mesh};
 
 /// Smallest share that a cut may leave of the step of single elements of the mesh without planes: less is a sliver. The mesh as a whole
@@ -23,6 +23,10 @@ const LEAST_LEFT: f64 = 0.4;
 const ALONE: f64 = 0.5;
 const WAY_OUT: &str = "move `through` by half an element, lower `near`, or mesh the ground with the planes in Gmsh and read it as [mesh.file] \
                        (docs/meshes.md)";
+const CROSSING: &str = "here it crosses another plane: end one of them before the other by `extent`, or mesh the ground with both in Gmsh and \
+                        read it as [mesh.file] (docs/meshes.md)";
+/// Distance from a plane, in mean elements, within which an element is at its crossing with another.
+const NEAR_CROSSING: f64 = 2.0;
 /// Shares of the step and scaled Jacobians below which a cut is warned of.
 const POOR_STEP: f64 = 0.1;
 const POOR_JACOBIAN: f64 = 0.2;
@@ -105,10 +109,26 @@ pub fn cut_by(
             let at = planes.iter().find(|p| p.name.value == e.plane()).unwrap_or(first);
             let text = e.to_string();
             let (what, remedy) = text.split_once("; ").unwrap_or((&text, "change the plane"));
+            let remedy = if crosses_there(&e, &cuts, mesh) { CROSSING } else { remedy };
             problems.push(Diagnostic::new(at.span.clone(), what, remedy));
             None
         }
     }
+}
+
+/// Whether an element is too poor where two planes cross.
+fn crosses_there(error: &CutError, cuts: &[Cut], mesh: &Mesh) -> bool {
+    let CutError::Poor { name, at, .. } = error else { return false };
+    let Some(own) = cuts.iter().find(|cut| cut.name == *name) else { return false };
+    let (low, high) = mesh.bounds();
+    let volume: f64 = (0..3).map(|i| high[i] - low[i]).product();
+    let element = (volume / mesh.elements.len().max(1) as f64).cbrt();
+    let parallel = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>().abs() > 0.99;
+    cuts.iter().any(|other| {
+        other.name != *name
+            && !parallel(other.plane.normal, own.plane.normal)
+            && other.plane.distance(*at).abs() < NEAR_CROSSING * element
+    })
 }
 
 /// A seam is no interface where its plane's elements are small enough to mesh it.

@@ -239,7 +239,8 @@ fn finer(case: &Case, limit: f64) -> String {
         tremolite_case::Mesh::File(_) => format!("mesh it with {below} m or less"),
     };
     format!(
-        "{how}; `ultimate_strain_ratio` in place of `fracture_energy` gives that energy up: what a crack takes then grows with the element"
+        "{how}; or give that energy up: `ultimate_strain_ratio` in place of `fracture_energy`, with evolution = \"residual\"; what a crack \
+         takes then grows with the element"
     )
 }
 

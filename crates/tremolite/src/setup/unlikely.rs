@@ -22,10 +22,19 @@ const INTERVAL: RangeInclusive<f64> = 1e-3..=50e-3;
 /// Time that a run may go on behind its motion \[s\]: a cavern has come to rest long before.
 const BEHIND: f64 = 10.0;
 
+/// Largest extent of a mesh along an axis \[m\].
+pub fn extent(mesh: &mesh::Mesh) -> f64 {
+    let (low, high) = mesh.bounds();
+    (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max)
+}
+
 /// Of lengths of the mesh.
 pub fn lengths(case: &Case, mesh: &mesh::Mesh) -> Vec<Diagnostic> {
-    let (low, high) = mesh.bounds();
-    let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    [sizes(case, extent(mesh)), linings(case)].concat()
+}
+
+/// Of the size of the model, whose largest `extent` is this many metres, and of its openings.
+pub fn sizes(case: &Case, extent: f64) -> Vec<Diagnostic> {
     let (place, unit) = match &case.mesh {
         Mesh::Caverns(caverns) => {
             (caverns.span.clone(), "look at the units of `sides`, `length`, `below` and `overburden`")
@@ -39,7 +48,7 @@ pub fn lengths(case: &Case, mesh: &mesh::Mesh) -> Vec<Diagnostic> {
     let mut all = Vec::new();
     if extent > MODEL {
         let message = format!(
-            "the model is {:.1} km across, where all of an underground complex is less than {:.0}",
+            "the model is {:.1} km across; an underground complex with the rock around it is less than {:.0} km",
             1e-3 * extent,
             1e-3 * MODEL
         );
@@ -49,22 +58,31 @@ pub fn lengths(case: &Case, mesh: &mesh::Mesh) -> Vec<Diagnostic> {
     let above = &caverns.overburden;
     if above.value > OVERBURDEN {
         let message =
-            format!("{:.0} m of rock lie above the crown: deeper than any power station", above.value);
+            format!("{:.0} m of rock lie above the crown, more than above any power station", above.value);
         all.push(Diagnostic::at(
             above,
             message,
-            "look at its unit; stress from further up is given by `overburden` of [initial]",
+            "look at its unit; for ground above the model give its pressure, `overburden` of [initial]",
         ));
     }
     for cavern in &caverns.caverns {
         let sizes = [(&cavern.width, WIDTH, "wide"), (&cavern.height, HEIGHT, "high")];
         for (size, most, word) in sizes.into_iter().filter(|(size, most, _)| size.value > *most) {
             let message = format!(
-                "'{}' is {:.0} m {word}, where caverns are less than {most:.0}",
+                "'{}' is {:.0} m {word}; caverns are less than {most:.0} m",
                 cavern.name.value, size.value
             );
             all.push(Diagnostic::at(size, message, "look at its unit"));
         }
+    }
+    all
+}
+
+/// Of the thickness of linings.
+fn linings(case: &Case) -> Vec<Diagnostic> {
+    let Mesh::Caverns(caverns) = &case.mesh else { return Vec::new() };
+    let mut all = Vec::new();
+    for cavern in &caverns.caverns {
         let lining = cavern.lining.iter().flat_map(|lining| [&lining.walls, &lining.crown, &lining.floor]);
         // 0 is none.
         let odd = |thick: &&Spanned<f64>| thick.value > 0.0 && !LINING.contains(&thick.value);
@@ -83,7 +101,7 @@ pub fn record(written: &case::Motion, given: &Motion) -> Vec<Diagnostic> {
     let in_g = peak / STANDARD_GRAVITY;
     if !PEAK.contains(&in_g) {
         let message = format!(
-            "the motion, processed, reaches {peak:.3} m/s2, {in_g:.4} g, where earthquakes that matter to a cavern reach {} to {} g",
+            "the processed motion reaches {peak:.3} m/s2, {in_g:.4} g; earthquakes that matter to a cavern reach {} to {} g",
             PEAK.start(),
             PEAK.end()
         );

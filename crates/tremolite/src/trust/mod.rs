@@ -23,6 +23,7 @@ pub(crate) use mass_damping::{MOST as MOST_MASS_DAMPING, ratio as mass_damping};
 pub(crate) use material::on_broken_elements;
 pub(crate) use rows::MISSED as MOST_MISSED;
 pub(crate) use waves::DRIFT;
+pub(crate) use waves::PER_WAVELENGTH;
 
 use crate::evidence::Evidence;
 use crate::survey::limit_in_words;

@@ -7,7 +7,7 @@ use tremolite_engine::Side;
 use tremolite_results::{Said, TrustLine, said};
 
 /// Elements a wavelength below which a wave's amplitude and speed suffer (Kuhlemeyer & Lysmer 1973).
-const PER_WAVELENGTH: f64 = 8.0;
+pub(crate) const PER_WAVELENGTH: f64 = 8.0;
 /// Difference of the column's velocity from theory, over its peak.
 const THEORY: f64 = 0.05;
 /// Difference of the model's velocity at its corners from the column's, over its peak: what sides and caverns make of the

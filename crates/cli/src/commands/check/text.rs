@@ -269,7 +269,7 @@ fn print_materials(checked: &Checked, lines: Lines) {
         let waves = format!(", c_p {p:.0} m/s, c_s {s:.0} m/s; damping: {damping}");
         let waves = if checked.job.motion.is_some() { waves } else { String::new() };
         print(&format!("             {density:.0} kg/m3{waves}"));
-        let constants = [("given", false), ("derived", true)];
+        let constants = [("parameters", false), ("derived", true)];
         for (words, derived) in constants.into_iter().take(if lines == Lines::All { 2 } else { 1 }) {
             let values = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);
             let values: Vec<String> = values.map(|v| format!("{} {}", v.name, text(v))).collect();

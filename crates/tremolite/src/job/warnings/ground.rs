@@ -36,7 +36,7 @@ pub fn of_ground(case: &Case, outlook: &Outlook) -> Vec<Diagnostic> {
         all.push(Diagnostic::new(
             given.span(),
             format!(
-                "round the opening at {} rock would bear up to {} (3σ1 − σ3), {:.1} times its compressive strength of {}: it will yield",
+                "the rock round the opening at {} would have to carry {} (3σ1 − σ3), {:.1} times its compressive strength of {}: it will yield",
                 place(wall.at),
                 pressure(-wall.load),
                 wall.load / wall.strength,

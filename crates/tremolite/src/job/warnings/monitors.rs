@@ -6,7 +6,8 @@ use tremolite_case::{Case, Diagnostic};
 use tremolite_engine::{Model, Stage};
 use tremolite_results::BoltPlace;
 
-/// Distance \[m\] of a monitor from its pair or its segment that goes without saying: less than a lining's thickness or an element.
+/// Distance \[m\] of a monitor from its pair or its segment that goes without saying: less than a lining's thickness or an element. Pairs
+/// that lie further apart than that may be as far away as they are apart, for a point on the interface lies between them.
 const FAR: f64 = 1.0;
 
 /// Of monitors on interfaces that lie far from them.
@@ -16,10 +17,12 @@ pub fn of_pairs(case: &Case, model: &Model, plan: &Plan) -> Vec<Diagnostic> {
         .zip(&plan.pairs)
         .filter_map(|(written, monitor)| {
             let seam = &model.seams[monitor.interface];
-            let at = seam.place(&model.mesh, seam.nearest(&model.mesh, monitor.point));
+            let pair = seam.nearest(&model.mesh, monitor.point);
+            let at = seam.place(&model.mesh, pair);
             let away = (0..3).map(|i| (at[i] - monitor.point[i]).powi(2)).sum::<f64>().sqrt();
             let [x, y, z] = at;
-            (away > FAR).then(|| {
+            let apart = seam.pairs[pair].area.sqrt();
+            (away > FAR.max(apart)).then(|| {
                 let name = &monitor.name;
                 Diagnostic::at(
                     &written.at,

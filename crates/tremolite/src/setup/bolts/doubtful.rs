@@ -13,6 +13,8 @@ const LOOKED_AT: usize = 50;
 /// Young's moduli \[Pa\] of bars, of plastic ones too, and stresses at which they yield.
 const YOUNG: [f64; 2] = [1e9, 1e12];
 const YIELD: [f64; 2] = [10e6, 5e9];
+/// A diameter \[m\] beyond which it is no bar's: the thickest threaded bars have 75 mm, bundles of strands some 150.
+const THICKEST: f64 = 0.16;
 /// A pretension \[N\] below which its unit is forgotten.
 const LEAST: f64 = 1e3;
 /// Depth \[m\] in front of a plate within which the wall must be.
@@ -57,6 +59,13 @@ pub fn units(written: &case::Bolts) -> Vec<Diagnostic> {
                 format!("look at the unit: {} to {} is usual", usual[0], usual[1]),
             ));
         }
+    }
+    if written.diameter.value > THICKEST {
+        warnings.push(Diagnostic::at(
+            &written.diameter,
+            format!("a bolt is {} thick", units::format(written.diameter.value, Dimension::LENGTH)),
+            "look at the unit: bars have 16 to 75 mm, anchors of many strands up to 150 mm",
+        ));
     }
     if let Some(pretension) = written.pretension.as_ref().filter(|p| p.value > 0.0 && p.value < LEAST) {
         warnings.push(Diagnostic::at(

@@ -15,10 +15,25 @@ pub fn too_thin(steel: &Reinforcement, group: &str, stations: &[Station]) -> Opt
     (steel.cover.value >= least).then(|| {
         Diagnostic::at(
             &steel.cover,
-            format!("'{group}' is {thinnest:.3} m thick; a cover of {} m reaches {why}", steel.cover.value),
-            format!("give less than {least:.3} m, from the concrete's face to the bars' axis"),
+            format!(
+                "'{group}' is {} thick; a cover of {} reaches {why}",
+                millimetres(thinnest),
+                millimetres(steel.cover.value)
+            ),
+            format!(
+                "give less than {}, from the concrete's face to the bars' axis, or look at the unit of the thickness",
+                millimetres(least)
+            ),
         )
     })
+}
+
+/// A length \[m\] as those of sections are written, in millimetres.
+fn millimetres(length: f64) -> String {
+    match 1e3 * length {
+        few if few < 10.0 => format!("{few:.1} mm"),
+        many => format!("{many:.0} mm"),
+    }
 }
 
 /// Thicker \[m\] than linings are.

@@ -236,8 +236,13 @@ fn what_cannot_be_reinforced_is_refused_with_what_to_do() {
             "no group of the mesh fits",
             "the mesh has the groups",
         ),
-        (&cavern, steel("*.lining", "25 cm", "across", ""), "half the thickness", "less than 0.2"),
-        (&cavern, steel("*.lining", "0.5 m", "along", &one("extrados")), "would lie outside", "less than 0."),
+        (&cavern, steel("*.lining", "25 cm", "across", ""), "half the thickness", "less than 2"),
+        (
+            &cavern,
+            steel("*.lining", "0.5 m", "along", &one("extrados")),
+            "would lie outside",
+            "mm, from the concrete",
+        ),
         (&block, steel("cube", "6 cm", "across", ""), "cube has no thickness", "thin one way"),
         (&wedge, steel("*.lining", "6 cm", "across", ""), "is no hexahedron", "with them"),
         (
