@@ -9,6 +9,7 @@ pub mod field;
 pub mod ground;
 pub mod heading;
 pub mod modes;
+pub mod resolved;
 pub mod rock;
 pub mod series;
 pub mod surface;

@@ -8,15 +8,15 @@ use crate::shown::shown;
 
 /// What [`Process::parse`] reads, for messages.
 const FORMS: &str = "use 'detrend linear', 'baseline', 'baseline polynomial 3', 'pre-event 5 s', 'taper 1 s', \
-                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'resample 0.005 s', 'scale 0.35', 'pga 0.3 g' or 'pga 3 m/s2'";
+                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'resample 0.005 s', 'scale 0.35', 'pga 0.3 g', 'pga 3 m/s2', 'match' or 'match 0.1 s 2 s'";
 
 /// Degrees of a baseline's polynomial: above, it begins to follow the shaking.
 const DEGREES: std::ops::RangeInclusive<usize> = 1..=10;
 
 impl Process {
     /// Reads a step as the case file writes it: `detrend linear`, `baseline`, `baseline polynomial 3`, `pre-event 5 s`,
-    /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `resample 0.005 s`, `scale 0.35`, `pga 0.3 g`.
-    /// Times and corners have their unit, which may stand once behind both corners.
+    /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `resample 0.005 s`, `scale 0.35`, `pga 0.3 g`,
+    /// `match`, `match 0.1 s 2 s`. Times and corners have their unit, which may stand once behind both corners.
     ///
     /// # Errors
     /// A sentence that names the fault and the forms that are read.
@@ -77,6 +77,14 @@ impl Process {
                 Ok(Process::Bandpass { low: corners[0], high: corners[1] })
             }
             "resample" => Ok(Process::Resample { seconds: positive(numbers("s", 1)?)?[0] }),
+            "match" if rest.is_empty() => Ok(Process::Match { band: None }),
+            "match" => {
+                let periods = positive(numbers("s", 2)?)?;
+                if periods[0] >= periods[1] {
+                    return Err(wrong("the shorter period comes first".into()));
+                }
+                Ok(Process::Match { band: Some([periods[0], periods[1]]) })
+            }
             "scale" => Ok(Process::Scale(numbers("", 1)?[0])),
             _ => Err(wrong("not a known step".into())),
         }
@@ -134,6 +142,8 @@ impl fmt::Display for Process {
             Process::Resample { seconds } => write!(f, "resample {seconds} s"),
             Process::Scale(factor) => write!(f, "scale {factor}"),
             Process::PeakAcceleration { value, units } => write!(f, "pga {value} {units}"),
+            Process::Match { band: None } => f.write_str("match"),
+            Process::Match { band: Some([from, to]) } => write!(f, "match {from} s {to} s"),
         }
     }
 }

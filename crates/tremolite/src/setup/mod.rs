@@ -23,16 +23,19 @@ mod reinforcement;
 mod sections;
 mod sides;
 mod site;
+mod soil;
 mod stages;
+mod target;
 mod unlikely;
 mod warnings;
 mod wave_sides;
 mod waves;
 
-pub use facts::{MotionFacts, SiteFacts, WaveFacts};
+pub use facts::{MotionFacts, SiteFacts, SoilFacts, WaveFacts};
 pub use inputs::{changed, hash, original_folder};
 pub use memory::Inputs;
 pub use page::limits;
+pub use target::of_case as target_of;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
@@ -293,7 +296,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         title: case.title.value.clone(),
         page: page::wish(&case.page),
         boundaries: boundaries(case),
-        target: case.motion.as_ref().and_then(|motion| motion.target.as_ref()).map(page::target),
+        target: target::drawn(case),
         stages: Staged::plan(case),
         duration,
         recorded: recorded.flatten(),

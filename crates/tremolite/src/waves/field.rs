@@ -11,10 +11,29 @@ use tremolite_motion::{Complex64, Motion};
 #[derive(Clone)]
 pub struct Entering {
     pub heading: Heading,
-    /// The record that it carries, which of its components, and what they are times: for a wave of e^(iωt), ω > 0.
+    /// The record that it carries.
     pub motion: Arc<Motion>,
-    pub component: usize,
-    pub factor: Complex64,
+    /// What each of the record's components is times in it, the sum of which it is: for a wave of e^(iωt), ω > 0.
+    pub factors: [Complex64; 3],
+}
+
+impl Entering {
+    /// A wave that carries one of the components of a record.
+    pub fn of(heading: Heading, motion: Arc<Motion>, component: usize, factor: Complex64) -> Entering {
+        let mut factors = [Complex64::default(); 3];
+        factors[component] = factor;
+        Entering { heading, motion, factors }
+    }
+
+    /// Whether any component is turned in phase.
+    pub fn turns(&self) -> bool {
+        self.factors.iter().any(|factor| factor.im != 0.0)
+    }
+
+    /// The sum of the components times what `part` takes of their factors.
+    pub fn sum(&self, components: [f64; 3], part: fn(&Complex64) -> f64) -> f64 {
+        self.factors.iter().zip(components).map(|(factor, x)| part(factor) * x).sum()
+    }
 }
 
 /// What all waves come through.
@@ -86,7 +105,7 @@ impl Frame {
 
     /// Whether a wave comes at some time, and not from ever on.
     pub fn arrives(&self, wave: &Entering) -> bool {
-        arrives(&self.ground, &wave.heading)
+        arrives(&self.ground, &wave.heading) && !wave.turns()
     }
 }
 
@@ -99,11 +118,11 @@ impl ObliqueField {
         let mut lead = 0.0_f64;
         let mut all = Vec::with_capacity(waves.len());
         for (k, wave) in waves.iter().enumerate() {
-            let component = wave.component;
-            let displacement = |t: f64| wave.motion.at(t).u[component];
+            let displacement = |t: f64| wave.sum(wave.motion.at(t).u, |factor| factor.re);
+            let turned = |t: f64| wave.sum(wave.motion.at(t).u, |factor| factor.im);
             let signal = Signal {
                 displacement: &displacement,
-                factor: wave.factor,
+                turned: if wave.turns() { Some(&turned) } else { None },
                 frequency: frame.frequency,
                 until: frame.until(wave),
             };

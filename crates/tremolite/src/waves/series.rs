@@ -33,8 +33,8 @@ const CRITICAL: f64 = 0.9999;
 pub struct Signal<'a> {
     /// u(t) \[m\], zero before t = 0.
     pub displacement: &'a (dyn Fn(f64) -> f64 + Sync),
-    /// What the displacement is times for a wave of e^(iωt), ω > 0.
-    pub factor: Complex64,
+    /// What is added to that turned in phase, times i in a wave of e^(iωt), ω > 0, as a surface beyond a critical angle turns it.
+    pub turned: Option<&'a (dyn Fn(f64) -> f64 + Sync)>,
     /// Highest frequency \[Hz\].
     pub frequency: f64,
     /// Until when it is wanted \[s\].
@@ -143,7 +143,6 @@ struct Spectra<'a> {
     answers: &'a Answers,
     lines: &'a Lines,
     s: &'a [Complex64],
-    factor: Complex64,
 }
 
 /// Of a value, what of it.
@@ -171,7 +170,7 @@ impl Spectra<'_> {
         self.lines.through_each(wanted.iter().map(|&Of { component, rate, slope }| {
             levels.iter().zip(self.s).map(move |(level, s)| {
                 let value = if slope { level.slope[component] } else { level.value[component] };
-                self.factor * value * if rate { *s } else { Complex64::from(1.0) }
+                value * if rate { *s } else { Complex64::from(1.0) }
             })
         }))
     }
@@ -187,7 +186,8 @@ impl Series {
         let dt = 1.0 / (FINE * signal.frequency);
         let wanted = (signal.until / dt).ceil() as usize + 2;
         let mut count = (2 * wanted).next_power_of_two();
-        if arrives(ground, heading) {
+        // What is turned in phase begins before its cause, as what runs ahead does.
+        if arrives(ground, heading) && signal.turned.is_none() {
             let eta = -LEFT.ln() / (count as f64 * dt);
             let answers = Answered::of(ground, heading, signal, dt, count, 0, eta);
             let scan = answers.scan(&grid);
@@ -300,7 +300,6 @@ struct Answered {
     answers: Answers,
     lines: Lines,
     s: Vec<Complex64>,
-    factor: Complex64,
     dt: f64,
     eta: f64,
     /// The sample of time 0.
@@ -326,13 +325,19 @@ impl Answered {
             t if t >= out => 0.0,
             t => 0.5 + 0.5 * (PI * (t - signal.until) / (out - signal.until)).cos(),
         };
-        let sample = |k: usize| {
-            let t = (k as f64 - zero as f64) * dt;
-            if t < 0.0 { 0.0 } else { fade(t) * (signal.displacement)(t) * (-eta * t).exp() }
+        let sampled = |displacement: &dyn Fn(f64) -> f64| -> Vec<f64> {
+            let sample = |k: usize| {
+                let t = (k as f64 - zero as f64) * dt;
+                if t < 0.0 { 0.0 } else { fade(t) * displacement(t) * (-eta * t).exp() }
+            };
+            (0..count).map(sample).collect()
         };
-        let wave: Vec<f64> = (0..count).map(sample).collect();
         let p = heading.slowness(&ground.below());
-        let lines = Lines::of(&wave, dt);
+        let own = sampled(&signal.displacement);
+        let lines = match signal.turned {
+            Some(turned) => Lines::of_turned(&own, &sampled(&turned), dt),
+            None => Lines::of(&own, dt),
+        };
         let lines = lines.expect("a power of two is a length of a transform");
         let s: Vec<Complex64> =
             (0..lines.above(FAINT)).map(|k| Complex64::new(eta, lines.omega(k))).collect();
@@ -346,11 +351,11 @@ impl Answered {
             WaveType::Sh => Answers::Across(s.par_iter().map(|&s| ground.sh(s, p)).collect()),
         };
         let components = components(heading.kind);
-        Answered { answers, lines, s, factor: signal.factor, dt, eta, zero, components }
+        Answered { answers, lines, s, dt, eta, zero, components }
     }
 
     fn spectra(&self) -> Spectra<'_> {
-        Spectra { answers: &self.answers, lines: &self.lines, s: &self.s, factor: self.factor }
+        Spectra { answers: &self.answers, lines: &self.lines, s: &self.s }
     }
 
     fn grown(&self, sample: usize) -> f64 {

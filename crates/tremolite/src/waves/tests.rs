@@ -256,7 +256,7 @@ fn frame(ground: LayeredGround) -> Frame {
 }
 
 fn entering(heading: Heading, motion: Motion) -> Entering {
-    Entering { heading, motion: Arc::new(motion), component: 0, factor: Complex64::from(1.0) }
+    Entering::of(heading, Arc::new(motion), 0, Complex64::from(1.0))
 }
 
 /// By geometry alone: when a wave comes to the corners of the box, which way they move first, and how far. Axes are told by east,

@@ -263,11 +263,8 @@ pub fn two_waves(size: [f64; 3], body: &tremolite::Body, top: Top) -> ObliqueFie
     let ground = LayeredGround::new([Stratum { thickness: size[2], rock }], top).unwrap();
     let pulse = ricker_velocity(8.0, 0.2, 0.1);
     let motion = Arc::new(Motion::sampled(0.002, 0.5, |t| pulse(t).along([1.0, 0.0, 0.0])).unwrap());
-    let wave = |kind, angle: f64, along| Entering {
-        heading: Heading { kind, angle, along },
-        motion: motion.clone(),
-        component: 0,
-        factor: Complex64::from(1.0),
+    let wave = |kind, angle: f64, along| {
+        Entering::of(Heading { kind, angle, along }, motion.clone(), 0, Complex64::from(1.0))
     };
     let frame = Frame {
         ground,

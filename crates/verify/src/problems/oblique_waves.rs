@@ -206,7 +206,7 @@ fn field(ground: &Ground, size: [f64; 3], problem: &Problem, way: Way) -> Result
         frequency: highest_frequency(&motion, 0.999).unwrap_or(HIGHEST),
         duration: Some(duration),
     };
-    let wave = Entering { heading, motion: Arc::new(motion), component: 0, factor: Complex64::from(1.0) };
+    let wave = Entering::of(heading, Arc::new(motion), 0, Complex64::from(1.0));
     ObliqueField::new(&frame, &[wave]).map_err(|e| VerifyError::Setup(format!("{e:?}")))
 }
 
