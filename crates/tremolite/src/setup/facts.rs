@@ -71,10 +71,13 @@ pub struct WaveFacts {
     /// From the vertical, and clockwise from north, as written \[rad\].
     pub angle: f64,
     pub azimuth: f64,
-    /// The component that it carries, or \"together\".
+    /// Its way along x, y, z of the model, and what it moves, of length 1.
+    pub way: [f64; 3],
+    pub polarisation: [f64; 3],
+    /// The component that it carries, or "together".
     pub component: &'static str,
     /// What it is the sum of.
-    pub parts: Vec<PartFacts>,
+    pub parts: Vec<CarriedFacts>,
     /// With which the field goes along in plan \[m/s\]; infinite straight up.
     pub apparent_velocity: f64,
     /// Whether it comes at some time; beyond a critical angle something runs ahead of it.
@@ -83,7 +86,7 @@ pub struct WaveFacts {
 
 /// What a component of the record is times in a wave.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PartFacts {
+pub struct CarriedFacts {
     pub component: &'static str,
     /// Negative where the wave is opposite.
     pub factor: f64,
@@ -91,11 +94,11 @@ pub struct PartFacts {
     pub phase: f64,
 }
 
-impl PartFacts {
-    fn of(component: &'static str, factor: Complex64) -> PartFacts {
+impl CarriedFacts {
+    fn of(component: &'static str, factor: Complex64) -> CarriedFacts {
         match factor.im == 0.0 {
-            true => PartFacts { component, factor: factor.re, phase: 0.0 },
-            false => PartFacts { component, factor: factor.norm(), phase: factor.arg() },
+            true => CarriedFacts { component, factor: factor.re, phase: 0.0 },
+            false => CarriedFacts { component, factor: factor.norm(), phase: factor.arg() },
         }
     }
 
@@ -115,12 +118,14 @@ impl WaveFacts {
             kind: wave.heading.kind,
             angle: written.angle.value,
             azimuth: written.azimuth.value,
+            way: wave.heading.way(),
+            polarisation: wave.heading.polarisation(),
             component: written.component.value.word(),
             parts: ["east", "north", "up"]
                 .into_iter()
                 .zip(wave.factors)
                 .filter(|(_, factor)| factor.norm() > 1e-12)
-                .map(|(component, factor)| PartFacts::of(component, factor))
+                .map(|(component, factor)| CarriedFacts::of(component, factor))
                 .collect(),
             apparent_velocity: 1.0 / wave.heading.slowness(&frame.ground.below()),
             arrives: frame.arrives(wave),
@@ -143,7 +148,7 @@ impl WaveFacts {
         format!(
             "{} at {angle} deg towards {azimuth} deg is {}{speed}{ahead}",
             kind.word(),
-            self.parts.iter().map(PartFacts::words).collect::<Vec<_>>().join(" + ")
+            self.parts.iter().map(CarriedFacts::words).collect::<Vec<_>>().join(" + ")
         )
     }
 }

@@ -31,7 +31,7 @@ mod warnings;
 mod wave_sides;
 mod waves;
 
-pub use facts::{MotionFacts, SiteFacts, SoilFacts, WaveFacts};
+pub use facts::{CarriedFacts, MotionFacts, SiteFacts, SoilFacts, WaveFacts};
 pub use inputs::{changed, hash, original_folder};
 pub use memory::Inputs;
 pub use page::limits;

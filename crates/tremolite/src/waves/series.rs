@@ -7,8 +7,8 @@
 //! **Nothing arrives.** Where all waves of all layers travel, the field is at rest before the wave comes, and frequencies lie
 //! beside the imaginary axis as in [`crate::layered_column`], so that however long the ground rings nothing of it comes round
 //! again. Beyond a critical angle the field has no beginning: what runs along faster than p came from far away. Then the frequencies are
-//! real, the span is doubled until hardly anything is left at its ends, and the series start where no level moves faster
-//! than 10⁻⁴ of the largest velocity, faded in before that.
+//! real, the span is doubled until hardly anything is left at its ends, and the series are faded in where no level moves faster
+//! than 10⁻⁴ of the largest velocity, or later and slowly.
 
 use super::ground::{ACROSS, IN_PLANE, LayeredGround, Level, Waves};
 use super::heading::{Heading, WaveType};
@@ -22,6 +22,8 @@ const FINE: f64 = 20.0;
 const LEFT: f64 = 1e-8;
 /// Velocity over the largest below which nothing counts as moving, where nothing arrives.
 const STILL: f64 = 1e-4;
+/// The same up to which it may be faded in, so much more slowly.
+const SLOW: f64 = 1e-2;
 /// Lines of less than this share of the largest are none.
 const FAINT: f64 = 1e-9;
 /// Samples of a span at most.
@@ -204,11 +206,11 @@ impl Series {
             let still =
                 |from: usize, to: usize| scan.velocity[from..to].iter().copied().fold(0.0, f64::max) / peak;
             let left = still(0, count / 16).max(still(count - count / 16, count));
-            let start = scan.velocity.iter().position(|v| *v > STILL * peak).unwrap_or(zero);
-            // As long as a shear wave takes through the ground and back: levels then differ by no more than what counts as still.
-            let across: f64 = ground.strata().iter().map(|l| l.thickness / l.rock.s).sum();
-            let fade = ((2.0 * across / dt) as usize).max(FINE as usize);
-            if left < STILL && start > fade + 1 {
+            // As long as a shear wave takes through the ground.
+            let across: f64 = ground.strata().iter().map(|l| l.thickness / l.rock.s).sum::<f64>() / dt;
+            if left < STILL
+                && let Some((start, fade)) = beginning(&scan.velocity[..end], peak, across)
+            {
                 let first = start - fade;
                 let rest = scan.resting(start);
                 return Ok(answers.keep(grid, Stretch { first, wanted: end - first, fade, rest }, peak));
@@ -283,6 +285,28 @@ impl Scan {
     fn resting(&self, sample: usize) -> Vec<f64> {
         self.mean.iter().map(|mean| mean[sample]).collect()
     }
+}
+
+/// Where a field that has no beginning is let begin: the sample from which on it is whole, and over how many before that it is faded in.
+/// Of `velocity` by sample, and the samples that a wave takes across.
+///
+/// What is faded in over a time F while it moves with v disturbs itself by some v T/F, T the way of a wave. So what moves fast may be
+/// faded in slowly, or what hardly moves quickly, alike good; taken is what begins latest. A signal turned in phase falls with the second
+/// power of time alone where ∫u dt is not zero, and at [`STILL`] would begin half a minute early.
+fn beginning(velocity: &[f64], peak: f64, across: f64) -> Option<(usize, usize)> {
+    let mut most = 0.0_f64;
+    let mut latest: Option<(usize, usize)> = None;
+    for (start, v) in velocity.iter().enumerate() {
+        most = most.max(v / peak);
+        if !(most <= SLOW) {
+            break;
+        }
+        let fade = (2.0 * across * (most / STILL).max(1.0)).max(FINE).ceil() as usize;
+        if start > fade + 1 && latest.is_none_or(|(of, its)| start - fade >= of - its) {
+            latest = Some((start, fade));
+        }
+    }
+    latest
 }
 
 /// The part of a span that is kept.
