@@ -194,7 +194,7 @@ impl Series {
             let answers = Answered::of(ground, heading, signal, dt, count, 0, eta);
             let scan = answers.scan(&grid);
             let peak = scan.velocity[..wanted].iter().copied().fold(0.0, f64::max);
-            return Ok(answers.keep(grid, Stretch { first: 0, wanted, fade: 0, rest: Vec::new() }, peak));
+            return Ok(answers.keep(grid, Stretch { first: 0, wanted, fade: 0 }, peak));
         }
         loop {
             count *= 2;
@@ -206,14 +206,13 @@ impl Series {
             let still =
                 |from: usize, to: usize| scan.velocity[from..to].iter().copied().fold(0.0, f64::max) / peak;
             let left = still(0, count / 16).max(still(count - count / 16, count));
-            // As long as a shear wave takes through the ground.
-            let across: f64 = ground.strata().iter().map(|l| l.thickness / l.rock.s).sum::<f64>() / dt;
+            // In which a shear wave goes through the ground \[s\].
+            let across = ground.strata().iter().map(|l| l.thickness / l.rock.s).sum();
             if left < STILL
-                && let Some((start, fade)) = beginning(&scan.velocity[..end], peak, across)
+                && let Some((start, fade)) = scan.beginning(end, dt, across)
             {
                 let first = start - fade;
-                let rest = scan.resting(start);
-                return Ok(answers.keep(grid, Stretch { first, wanted: end - first, fade, rest }, peak));
+                return Ok(answers.keep(grid, Stretch { first, wanted: end - first, fade }, peak));
             }
             if count >= LONGEST {
                 return Err(Rings { left, span: count as f64 * dt });
@@ -282,31 +281,36 @@ struct Scan {
 }
 
 impl Scan {
-    fn resting(&self, sample: usize) -> Vec<f64> {
-        self.mean.iter().map(|mean| mean[sample]).collect()
-    }
-}
-
-/// Where a field that has no beginning is let begin: the sample from which on it is whole, and over how many before that it is faded in.
-/// Of `velocity` by sample, and the samples that a wave takes across.
-///
-/// What is faded in over a time F while it moves with v disturbs itself by some v T/F, T the way of a wave. So what moves fast may be
-/// faded in slowly, or what hardly moves quickly, alike good; taken is what begins latest. A signal turned in phase falls with the second
-/// power of time alone where ∫u dt is not zero, and at [`STILL`] would begin half a minute early.
-fn beginning(velocity: &[f64], peak: f64, across: f64) -> Option<(usize, usize)> {
-    let mut most = 0.0_f64;
-    let mut latest: Option<(usize, usize)> = None;
-    for (start, v) in velocity.iter().enumerate() {
-        most = most.max(v / peak);
-        if !(most <= SLOW) {
-            break;
+    /// Where a field that has no beginning is let begin: the sample from which on it is whole, and over how many before that it is faded
+    /// in. `across` is the time of a wave through the ground \[s\].
+    ///
+    /// What is faded in over a time F disturbs itself: where it moves with v by some 2 v T/F, T the way of a wave, and where it has come
+    /// to u by some 10 u T/F² and moves with 2 u/F meanwhile. So what moves fast may be faded in slowly, or what hardly moves quickly, alike
+    /// good, and of all that begins latest is taken. A signal turned in phase falls with the second power of time alone where ∫u dt is
+    /// not zero, and where it moves with [`STILL`] may be half a minute early.
+    fn beginning(&self, end: usize, dt: f64, across: f64) -> Option<(usize, usize)> {
+        let peak = self.velocity[..end].iter().copied().fold(0.0, f64::max);
+        let mut most = 0.0_f64;
+        let mut latest: Option<(usize, usize)> = None;
+        for (start, v) in self.velocity[..end].iter().enumerate() {
+            most = most.max(v / peak);
+            if !(most <= SLOW) {
+                break;
+            }
+            let come = self.mean.iter().map(|mean| mean[start].powi(2)).sum::<f64>().sqrt() / peak;
+            let fade = [
+                2.0 * across * (most / STILL).max(1.0),
+                (10.0 * across * come / STILL).sqrt(),
+                2.0 * come / SLOW,
+                FINE * dt,
+            ];
+            let fade = (fade.into_iter().fold(0.0, f64::max) / dt).ceil() as usize;
+            if start > fade + 1 && latest.is_none_or(|(of, its)| start - fade >= of - its) {
+                latest = Some((start, fade));
+            }
         }
-        let fade = (2.0 * across * (most / STILL).max(1.0)).max(FINE).ceil() as usize;
-        if start > fade + 1 && latest.is_none_or(|(of, its)| start - fade >= of - its) {
-            latest = Some((start, fade));
-        }
+        latest
     }
-    latest
 }
 
 /// The part of a span that is kept.
@@ -315,8 +319,6 @@ struct Stretch {
     wanted: usize,
     /// Samples over which it is faded in.
     fade: usize,
-    /// Displacement that is rest, by component; zero where none is given.
-    rest: Vec<f64>,
 }
 
 /// The answers to a signal at all its frequencies.
@@ -422,7 +424,7 @@ impl Answered {
     }
 
     fn keep(&self, grid: Grid, stretch: Stretch, peak: f64) -> Series {
-        let Stretch { first, wanted, fade, rest } = stretch;
+        let Stretch { first, wanted, fade } = stretch;
         let [moved, pulled] = self.components;
         let all: Vec<Of> = (0..moved + pulled)
             .flat_map(|component| {
@@ -438,9 +440,7 @@ impl Answered {
                     let grown = self.grown(k);
                     let [ramp, steep] = faded(k - first, fade);
                     for component in from..to {
-                        let [mut f, ft, fz, ftz] =
-                            [0, 1, 2, 3].map(|i| grown * found[component * KEPT + i][k]);
-                        f -= rest.get(component).copied().unwrap_or(0.0);
+                        let [f, ft, fz, ftz] = [0, 1, 2, 3].map(|i| grown * found[component * KEPT + i][k]);
                         let own = [
                             ramp * f,
                             ramp * ft * self.dt + steep * f,

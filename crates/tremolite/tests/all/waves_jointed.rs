@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use tremolite::job::{Caller, Job};
 use tremolite::run::Control;
-use tremolite::simulation::{Built, Start};
+use tremolite::simulation::Start;
 use tremolite_results::{ResultFolder, Summary, Table};
 
 /// [`CASE`] in rock under its weight with a hall whose floor is lined when it is out, the lining on an interface that closes and slides, and a
