@@ -64,8 +64,8 @@ pub const TEXTS: Texts = &[
     ("{angle}° from the vertical towards {azimuth}°", "与竖直方向成 {angle}°，方位 {azimuth}°"),
     ("; its field goes along the ground with {velocity}", "；沿地面的视速度为 {velocity}"),
     (
-        "; beyond a critical angle: the field fades in before the wave comes",
-        "；超过临界角：波到达之前场逐渐淡入",
+        "; beyond a critical angle, or turned in phase: the field fades in before the wave comes",
+        "；超过临界角或相位已转：波到达之前场逐渐淡入",
     ),
     ("{kind} wave", "{kind} 波"),
     (

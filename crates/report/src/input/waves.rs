@@ -51,7 +51,7 @@ pub fn cards(language: Language, motion: &MotionFacts) -> Vec<Fact> {
         if !wave.arrives {
             note.push_str(&say!(
                 language,
-                "; beyond a critical angle: the field fades in before the wave comes"
+                "; beyond a critical angle, or turned in phase: the field fades in before the wave comes"
             ));
         }
         card(say!(language, "{kind} wave", kind = wave.kind), value, Value::from(note))

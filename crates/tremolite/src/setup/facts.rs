@@ -143,7 +143,7 @@ impl WaveFacts {
         let ahead = if self.arrives {
             ""
         } else {
-            "; beyond a critical angle, so the field fades in before the wave comes"
+            "; beyond a critical angle, or turned in phase, so the field fades in before the wave comes"
         };
         format!(
             "{} at {angle} deg towards {azimuth} deg is {}{speed}{ahead}",

@@ -13,6 +13,8 @@ use tremolite_motion::{Complex64, Motion};
 
 /// The part of a surface's motion over the wave's below which that tells nothing of the wave: a twentieth of what it is straight up.
 const LEAST: f64 = 0.1;
+/// Of a sum of three products, over the largest.
+const ROUND_OFF: f64 = 1e-12;
 /// A component of a direction that counts as none.
 const STILL: f64 = 1e-9;
 
@@ -174,7 +176,12 @@ fn together(motion: &case::Motion, base: &Rock) -> Result<([[Complex64; 3]; 3], 
     }
     let mut factors = found.factors;
     for (row, wave) in factors.iter_mut().zip(&motion.waves) {
-        row.iter_mut().for_each(|factor| *factor *= wave.scale.value);
+        let most = row.iter().map(|factor| factor.norm()).fold(0.0, f64::max);
+        for factor in row {
+            // Round-off turns nothing in phase.
+            let im = if factor.im.abs() < ROUND_OFF * most { 0.0 } else { factor.im };
+            *factor = Complex64::new(factor.re, im) * wave.scale.value;
+        }
     }
     Ok((factors, found.condition))
 }

