@@ -96,7 +96,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             let quantity = format!("largest error of the field off the edges of the box, {of}");
             if kind == WaveType::Sv && angle > 50.0 && !ground.damped {
                 // Sent back whole, it goes through the box and its boundaries a second time.
-                let note = "for information: 1.4 % at twelve elements a shear wave, 1 % at fourteen";
+                let note = "for information: 1.4 % at twelve elements a shear wave, below 1 % from fifteen on";
                 checks.push(Check::beside(NAME, quantity.clone(), coarse[0], 0.0, "1", note).with_order(most));
                 let note = "half a per cent at twenty-four elements";
                 checks.push(Check::new(NAME, format!("{quantity}, twice as fine"), fine[0], 0.0, 0.005, "1", note));
