@@ -172,6 +172,8 @@ mod tests {
             ("bandpass 0.1 Hz 20 Hz", Process::Bandpass { low: 0.1, high: 20.0 }),
             ("scale 0.35", Process::Scale(0.35)),
             ("scale -1", Process::Scale(-1.0)),
+            ("match", Process::Match { band: None }),
+            ("match 0.1 s 2 s", Process::Match { band: Some([0.1, 2.0]) }),
         ] {
             assert_eq!(Process::parse(text), Ok(step));
             assert_eq!(step.to_string(), text);
@@ -201,6 +203,9 @@ mod tests {
             "bandpass 20 Hz 0.1 Hz",
             "bandpass 1 Hz",
             "highpass 0 Hz",
+            "match 2 s",
+            "match 2 s 1 s",
+            "match 0.1 2",
             "lowpass NaN Hz",
             "scale inf",
             "scale",

@@ -21,6 +21,7 @@ mod hole;
 mod job;
 mod layered;
 mod levels;
+mod matched_motion;
 mod oblique;
 mod observers;
 mod outside_law;
