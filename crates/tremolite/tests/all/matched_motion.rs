@@ -122,7 +122,7 @@ fn what_cannot_be_matched_is_refused_at_its_place() {
     for (text, place, says) in [
         (none, "process =", "no target that it could be matched to"),
         (unknown, "target =", "not a spectrum that is known by its words"),
-        (upright, "up =", "has none for a vertical record"),
+        (upright, "up = {", "has none for a vertical record"),
         (short, "process =", "less than twice the longest period"),
         (turned, "process =", "the shorter period comes first"),
         (beyond, "process =", "reaches beyond"),
