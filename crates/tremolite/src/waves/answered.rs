@@ -99,7 +99,7 @@ impl Scan {
         let mut latest: Option<(usize, usize)> = None;
         for (start, v) in self.velocity[..end].iter().enumerate() {
             most = most.max(v / peak);
-            if !(most <= SLOW) {
+            if most > SLOW {
                 break;
             }
             let come = self.mean.iter().map(|mean| mean[start].powi(2)).sum::<f64>().sqrt() / peak;
