@@ -202,7 +202,8 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
             note,
         ));
     }
-    facts.extend(waves::cards(language, motion));
+    let waves = waves::lines(language, motion).into_iter();
+    facts.extend(waves.map(|[label, value, note]| card(label, value, note)));
     let sources: Vec<&String> = motion.source.values().collect();
     let shared = sources.windows(2).all(|pair| pair[0] == pair[1]);
     if let Some(record) = sources.first().filter(|_| shared) {

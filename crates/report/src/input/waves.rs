@@ -1,9 +1,7 @@
 //! Waves at angles, in words.
 
-use minijinja::Value;
 use tremolite_results::{MotionFacts, Wave, WavePart};
 
-use crate::facts::{Fact, card};
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, quantity, trimmed};
 
@@ -30,8 +28,8 @@ fn parts(language: Language, wave: &Wave) -> String {
     wave.parts.iter().map(part).collect::<Vec<_>>().join(" + ")
 }
 
-/// A fact for each wave: its way, what of the record it is, and how fast its field goes along the ground.
-pub fn cards(language: Language, motion: &MotionFacts) -> Vec<Fact> {
+/// Of each wave what it is, its way, and what of the record it carries with how fast its field goes along the ground.
+pub fn lines(language: Language, motion: &MotionFacts) -> Vec<[String; 3]> {
     let of = |wave: &Wave| {
         let degrees = |angle: f64| trimmed(&format!("{:.2}", angle.to_degrees()));
         let value = say!(
@@ -54,7 +52,7 @@ pub fn cards(language: Language, motion: &MotionFacts) -> Vec<Fact> {
                 "; beyond a critical angle, or turned in phase: the field fades in before the wave comes"
             ));
         }
-        card(say!(language, "{kind} wave", kind = wave.kind), value, Value::from(note))
+        [say!(language, "{kind} wave", kind = wave.kind), value, note]
     };
     motion.waves.iter().map(of).collect()
 }
