@@ -53,7 +53,9 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
                 let (before, error) = (pair[0][k], pair[1][k]);
                 let p = order(before, error, reach[1] / reach[0]);
                 let quantity = format!("error of hoop stress over its peak, {of}, box of {} radii", reach[1]);
-                let check = match reach[1] == REACHES[2] {
+                // Of shorter waves the mesh's delay on the way through 16 radii, ⅟₂₄(kh)²kL, is as large as what the box sends back.
+                let box_alone = reach[1] < REACHES[2] || *multiple < 5;
+                let check = match reach[1] == REACHES[2] && box_alone {
                     true => {
                         let note = "3 %: 1 to 2 % are the box's at 16 radii, as under a wave straight up";
                         Check::new(NAME, quantity, error, 0.0, 0.03, "1", note)
@@ -63,7 +65,11 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
                 checks.push(check.with_order(p));
                 let quantity = format!("error with a box of {} radii over that with {}, {of}", reach[1], reach[0]);
                 let note = "below 1: a larger box errs less";
-                checks.push(Check::new(NAME, quantity, error / before, 0.0, 1.0, "1", note).with_order(p));
+                let check = match box_alone {
+                    true => Check::new(NAME, quantity, error / before, 0.0, 1.0, "1", note),
+                    false => Check::beside(NAME, quantity, error / before, 0.0, "1", "for information: with the mesh's delay"),
+                };
+                checks.push(check.with_order(p));
             }
         }
     }
