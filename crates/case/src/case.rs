@@ -19,7 +19,7 @@ use crate::laws::Laws;
 use crate::material::{MATERIAL, Material};
 use crate::mesh::{Ground, MESH, Mesh};
 use crate::monitor::{MONITOR, Monitor, RELATIVE, Relative};
-use crate::motion::{MOTION, Motion};
+use crate::motion::{MOTION, Motion, Target};
 use crate::output::{OUTPUT, Output};
 use crate::page::{Page, REPORT};
 use crate::region::{REGION, Region};
@@ -287,6 +287,9 @@ impl Case {
     /// The files that the case names, as they are written.
     pub fn files(&self) -> Vec<&Spanned<PathBuf>> {
         let mut files = self.motion.as_ref().map_or_else(Vec::new, Motion::files);
+        if let Some(Target::File(file)) = self.motion.as_ref().and_then(|motion| motion.target.as_ref()) {
+            files.push(file);
+        }
         if let Mesh::File(file) = &self.mesh {
             files.push(&file.path);
         }

@@ -79,7 +79,7 @@ pub use mesh_alone::MeshAlone;
 pub use monitor::{Monitor, Place, Relative};
 pub use motion::{
     Component, Corner, Direction, Motion, MotionKind, Record, RecordUnit, Records, Site, SiteLayer,
-    SurfacePart, TargetSpectrum, TextColumn, Wave, WaveWord, Window,
+    Softening, SurfacePart, Target, TargetSpectrum, TextColumn, Wave, WaveComponent, WaveWord, Window,
 };
 pub use output::Output;
 pub use page::{Language, Limits, Page};

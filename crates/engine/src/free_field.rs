@@ -31,6 +31,12 @@ pub trait GivenField: Send + Sync {
         [0, 1, 2].map(|i| (after[i] - before[i]) / (2.0 * dt))
     }
 
+    /// Says at which heights \[m\] it will be asked for: displacement and velocity at nodes, stresses at points of faces, some of them more
+    /// than once. It may keep at hand what is there; elsewhere its answers are as good.
+    fn prepare(&self, nodes: &[f64], points: &[f64]) {
+        let _ = (nodes, points);
+    }
+
     /// The largest velocity that any place has at any time, or a bound on it \[m/s\]: the guard goes by it before energy comes in.
     fn peak_velocity(&self) -> f64;
 }
@@ -147,29 +153,25 @@ impl Now<'_> {
         u
     }
 
-    /// The stresses at some points \[Pa\]; none of a wave that rises, which has no use for them.
-    pub fn stresses(&self, points: &[[f64; 3]]) -> Vec<[f64; 6]> {
+    /// The tractions \[Pa\] at some points, each with its normal; none of a wave that rises, which has no use for them.
+    pub fn tractions(&self, points: &[[[f64; 3]; 2]]) -> Vec<[f64; 3]> {
         match self {
             Now::Rising(_) => Vec::new(),
-            Now::Given(field, time) => points.iter().map(|&at| field.stress(at, *time)).collect(),
+            Now::Given(field, time) => {
+                points.iter().map(|&[at, normal]| times(&field.stress(at, *time), normal)).collect()
+            }
         }
     }
 
     /// What the free field pushes with at a place where the dashpots have the matrix C \[N s/m\], beside what they follow \[N\]:
-    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises. `stresses` are those at its points.
-    pub fn push<'s>(
-        &self,
-        place: &Place,
-        dashpot: &[f64; 6],
-        stresses: impl Iterator<Item = &'s [f64; 6]>,
-    ) -> [f64; 3] {
+    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises. `tractions` are those at its points, each with N dA \[m²\].
+    pub fn push(&self, dashpot: &[f64; 6], tractions: impl Iterator<Item = ([f64; 3], f64)>) -> [f64; 3] {
         match self {
             Now::Rising(velocity) => times(dashpot, velocity.map(|v| 2.0 * v)),
             Now::Given(..) => {
                 let mut sum = [0.0; 3];
-                for (&(_, area), stress) in place.shares.iter().zip(stresses) {
-                    let force = times(stress, area);
-                    (0..3).for_each(|i| sum[i] += force[i]);
+                for (traction, area) in tractions {
+                    (0..3).for_each(|i| sum[i] += area * traction[i]);
                 }
                 sum
             }

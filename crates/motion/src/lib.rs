@@ -76,7 +76,7 @@ pub use matching::{Matched, matched};
 pub use misfit::{Misfit, misfit, scale_to};
 pub use motion::{Motion, Sample};
 pub use orientation::Orientation;
-pub use process::{Process, lowest_lowpass, process};
+pub use process::{MATCHED, Process, lowest_lowpass, process, process_towards};
 pub use pulse::{Scalar, ricker_velocity};
 pub use read::{FORMATS, Format, ReadOptions, TextColumn, read, read_bytes};
 pub use realfft::num_complex::Complex64;

@@ -8,7 +8,7 @@ use crate::interpolate::between;
 use crate::polynomial::detrend_polynomial;
 use crate::sensitivity::REMEDY;
 use crate::shown::rounded;
-use crate::{Band, Channel, Error, Filter, Units};
+use crate::{Band, Channel, Error, Filter, Orientation, TargetSpectrum, Units, matched};
 
 /// One step of processing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +45,13 @@ pub enum Process {
     /// Multiplies all channels by the one factor that brings the largest |a| among them to this value, in these units: the
     /// component that shakes most comes to it and the others keep their ratio to it. Not for channels in counts.
     PeakAcceleration { value: f64, units: Units },
+    /// Matches each channel in time to a target spectrum ([`matched`]), from one period (s) to the other or wherever the target says
+    /// something, within [`MATCHED`]. Channels are sampled twenty times in the shortest period then.
+    Match { band: Option<[f64; 2]> },
 }
+
+/// How near to a target [`Process::Match`] comes, Sa/target − 1 at 200 periods that were not matched.
+pub const MATCHED: f64 = 0.05;
 
 /// How much closer samples may be made.
 const MOST_FINER: f64 = 1000.0;
@@ -60,10 +66,26 @@ impl Process {
     /// time before the event, has too few samples for the polynomial, if nothing shakes that could be scaled, or values leave
     /// the range of numbers. All channels are then as before.
     pub fn apply(&self, channels: &mut [&mut Channel]) -> Result<(), Error> {
+        self.apply_towards(channels, None)
+    }
+
+    /// The same with the target that [`Process::Match`] asks for; other steps do not look at it.
+    ///
+    /// # Errors
+    /// As [`apply`](Process::apply), and where a channel cannot be matched: there is no target, the channel says that it is vertical,
+    /// the target being one of horizontal motion, or it comes no nearer.
+    pub fn apply_towards(
+        &self,
+        channels: &mut [&mut Channel],
+        target: Option<&TargetSpectrum>,
+    ) -> Result<(), Error> {
         for channel in &*channels {
             if let Err(Error::Unsuitable { problem, remedy }) = channel.of_accelerometer() {
                 return Err(self.refusal(channel, problem, remedy));
             }
+        }
+        if let Process::Match { band } = *self {
+            return self.fitted(channels, target, band);
         }
         let factor = match *self {
             Process::PeakAcceleration { value, units } => self.factor(channels, value, units)?,
@@ -86,6 +108,44 @@ impl Process {
             if let Process::Resample { seconds } = *self {
                 channel.dt = seconds;
             }
+        }
+        Ok(())
+    }
+
+    fn fitted(
+        &self,
+        channels: &mut [&mut Channel],
+        target: Option<&TargetSpectrum>,
+        band: Option<[f64; 2]>,
+    ) -> Result<(), Error> {
+        let Some(first) = channels.first() else { return Ok(()) };
+        let target = target.ok_or_else(|| {
+            self.refusal(
+                first,
+                "there is no target that it could be matched to",
+                "give the spectrum as the target",
+            )
+        })?;
+        let told = |channel: &Channel, e: Error| {
+            let (problem, remedy) = e.message_and_remedy();
+            self.refusal(channel, problem, remedy)
+        };
+        let band = target.band(band).map_err(|e| told(first, e))?;
+        let mut all = Vec::with_capacity(channels.len());
+        for channel in &*channels {
+            if channel.orientation == Some(Orientation::Up) {
+                return Err(self.refusal(
+                    channel,
+                    "the channel is vertical, and the target is a spectrum of horizontal motion",
+                    "match the horizontal channels alone",
+                ));
+            }
+            let made = matched(channel, target, band, MATCHED).map_err(|e| told(channel, e))?;
+            all.push(made.channel);
+        }
+        for (channel, made) in channels.iter_mut().zip(all) {
+            channel.dt = made.dt;
+            channel.acceleration = made.acceleration;
         }
         Ok(())
     }
@@ -197,6 +257,8 @@ impl Process {
                 values = (0..=last).map(|i| between(&channel.acceleration, i as f64 / finer)).collect();
             }
             Process::Scale(number) => values.iter_mut().for_each(|v| *v *= number),
+            // All channels have it from `fitted`.
+            Process::Match { .. } => {}
             Process::PeakAcceleration { .. } => values.iter_mut().for_each(|v| *v *= factor),
         }
         Ok(values)
@@ -210,6 +272,18 @@ impl Process {
 /// That of the first step that cannot be applied (see [`Process::apply`]); earlier steps stay applied.
 pub fn process(channels: &mut [&mut Channel], steps: &[Process]) -> Result<(), Error> {
     steps.iter().try_for_each(|step| step.apply(channels))
+}
+
+/// The same with the target that [`Process::Match`] asks for.
+///
+/// # Errors
+/// That of the first step that cannot be applied (see [`Process::apply_towards`]); earlier steps stay applied.
+pub fn process_towards(
+    channels: &mut [&mut Channel],
+    steps: &[Process],
+    target: Option<&TargetSpectrum>,
+) -> Result<(), Error> {
+    steps.iter().try_for_each(|step| step.apply_towards(channels, target))
 }
 
 /// The lowest upper corner (Hz) among the steps: what the user cut off on purpose. `None` without a low-pass.

@@ -164,6 +164,17 @@ impl TargetSpectrum {
     /// # Errors
     /// [`Error::Unsuitable`] with the forms that are read; else those of [`TargetSpectrum::read`].
     pub fn parse(text: &str) -> Result<Self, Error> {
+        match Path::new(text).is_file() {
+            true => Self::read(Path::new(text)),
+            false => Self::parse_code(text),
+        }
+    }
+
+    /// Reads the words of a code, "EN 1998-1 type 1 ground B 2 m/s2".
+    ///
+    /// # Errors
+    /// [`Error::Unsuitable`] with the forms that are read.
+    pub fn parse_code(text: &str) -> Result<Self, Error> {
         let words: Vec<&str> = text.split([' ', ',']).filter(|word| !word.is_empty()).collect();
         let wrong = |problem: String| Error::unsuitable(format!("'{}': {problem}", shown(text)), FORMS);
         match words[..] {
@@ -184,10 +195,9 @@ impl TargetSpectrum {
                 };
                 Self::en1998(kind, letter, number * factor).map_err(wrong)
             }
-            ["EN", ..] | ["NB", ..] | ["GB", ..] | ["DL/T", ..] | ["DL", ..] => {
+            ["EN" | "NB" | "NB/T" | "GB" | "GB/T" | "DL" | "DL/T" | "SL", ..] => {
                 Err(wrong("this is not a spectrum that is known by its words".into()))
             }
-            _ if Path::new(text).is_file() => Self::read(Path::new(text)),
             _ => Err(wrong("it is neither a file nor a spectrum".into())),
         }
     }

@@ -24,6 +24,15 @@ impl Lines {
         Some(Lines { lines, count, step: TAU / (count as f64 * dt) })
     }
 
+    /// The same of a signal and, added to it, another that is turned in phase by a quarter: times i at all ω > 0.
+    pub fn of_turned(signal: &[f64], turned: &[f64], dt: f64) -> Option<Lines> {
+        let (mut lines, turned) = (Lines::of(signal, dt)?, Lines::of(turned, dt)?);
+        for (line, other) in lines.lines.iter_mut().zip(&turned.lines) {
+            *line += Complex64::i() * other;
+        }
+        Some(lines)
+    }
+
     /// ω \[rad/s\] of a line. That at zero stands close to zero, where a transfer function is smooth and at zero itself often 0/0.
     pub fn omega(&self, line: usize) -> f64 {
         self.step * (line as f64).max(1e-6)

@@ -10,7 +10,7 @@ use serde::Serialize;
 use tremolite_results::{Bound, Finding, PairPlace, Peaks, Said, Severity, Status, Summary, TrustLine, said};
 
 use crate::chapter::results_text::{in_english, kind_of_motion, told};
-use crate::input::deconvolved;
+use crate::input::{deconvolved, waves};
 use crate::language::{Language, say};
 use crate::quantities::scale::{count, figures, quantity, span, trimmed};
 use crate::quantities::units::Kind;
@@ -188,6 +188,7 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
         // A motion of layered ground has no factor; older versions did not say what was done.
         let note = match &motion.deconvolved {
             Some(site) => deconvolved::words(language, site),
+            None if !motion.waves.is_empty() => String::new(),
             None if motion.factor.is_finite() => say!(
                 language,
                 "incident motion = {factor} × the motion given",
@@ -201,6 +202,8 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
             note,
         ));
     }
+    let waves = waves::lines(language, motion).into_iter();
+    facts.extend(waves.map(|[label, value, note]| card(label, value, note)));
     let sources: Vec<&String> = motion.source.values().collect();
     let shared = sources.windows(2).all(|pair| pair[0] == pair[1]);
     if let Some(record) = sources.first().filter(|_| shared) {

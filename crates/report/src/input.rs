@@ -4,6 +4,7 @@ pub mod deconvolved;
 pub mod processing;
 mod record_at_place;
 mod transfer;
+pub mod waves;
 
 use tremolite_results::Table;
 
@@ -149,6 +150,9 @@ fn caption(source: &Source, accelerations: &[(usize, &[f64])], still: &[&str]) -
     if let Some(site) = &facts.computed.motion.deconvolved {
         text.push(' ');
         text.push_str(&deconvolved::words(language, site));
+    } else if !facts.computed.motion.waves.is_empty() {
+        text.push(' ');
+        text.push_str(&waves::words(language, &facts.computed.motion));
     } else if factor.is_finite() && !facts.computed.motion.kind.is_empty() {
         text.push(' ');
         text.push_str(&say!(

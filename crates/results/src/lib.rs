@@ -95,7 +95,8 @@ pub use stages::{StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
     CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, Input, ModelFacts, MonitorFacts, MotionFacts,
-    PageWish, PartFacts, RunFacts, Soundness, Status, Summary, Synchrony, TargetSpectrum,
+    PageWish, PartFacts, RunFacts, SoilLayer, Soundness, Status, Summary, Synchrony, TargetSpectrum, Wave,
+    WavePart,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::Table;

@@ -6,6 +6,7 @@ mod conclusion;
 mod monitors;
 mod parts;
 mod soundness;
+mod waves;
 
 use std::fs;
 use std::path::Path;
@@ -13,11 +14,12 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 pub use case::{CaseFacts, Defaulted, Input, PageWish};
-pub use computed::{Computed, Deconvolved, ModelFacts, MotionFacts, RunFacts, TargetSpectrum};
+pub use computed::{Computed, Deconvolved, ModelFacts, MotionFacts, RunFacts, SoilLayer, TargetSpectrum};
 pub use conclusion::{Conclusion, Status};
 pub use monitors::{MonitorFacts, Synchrony};
 pub use parts::PartFacts;
 pub use soundness::Soundness;
+pub use waves::{Wave, WavePart};
 
 use crate::{Error, replace_file};
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
 use tremolite_case::study::StudyFile;
-use tremolite_case::{self as case, Case, Change, Diagnostic, Laws, Report};
+use tremolite_case::{Case, Change, Diagnostic, Laws, Report};
 use tremolite_motion::TargetSpectrum;
 
 use crate::Plan;
@@ -49,15 +49,6 @@ pub fn target(study: &StudyFile) -> Result<Option<TargetSpectrum>, Report> {
         let (message, remedy) = e.message_and_remedy();
         study.report(vec![Diagnostic::at(named, message, remedy)])
     })
-}
-
-/// The spectrum that a case calls for.
-///
-/// # Errors
-/// If an acceleration of it is 0, beside which nothing can be set.
-pub fn target_of_case(target: &case::TargetSpectrum) -> Result<TargetSpectrum, tremolite_motion::Error> {
-    let points: Vec<[f64; 2]> = target.period.iter().zip(&target.sa).map(|(&t, &a)| [t, a]).collect();
-    TargetSpectrum::of_table("the case's target", 0.05, &points)
 }
 
 /// The case of a sample.

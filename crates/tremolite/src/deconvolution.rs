@@ -72,15 +72,18 @@ pub struct Deconvolved {
 
 /// What is let through of a record in frequency \[Hz\]: all up to `reach`, nothing from `end` on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Cut {
-    reach: f64,
-    end: f64,
+pub struct Cut {
+    /// Infinite where all is let through, as is the other.
+    pub reach: f64,
+    pub end: f64,
 }
 
 impl Cut {
-    const NONE: Cut = Cut { reach: f64::INFINITY, end: f64::INFINITY };
+    /// All is let through.
+    pub const NONE: Cut = Cut { reach: f64::INFINITY, end: f64::INFINITY };
 
-    fn kept(self, hertz: f64) -> f64 {
+    /// The share of a frequency \[Hz\] that is let through.
+    pub fn kept(self, hertz: f64) -> f64 {
         match hertz {
             _ if hertz <= self.reach => 1.0,
             _ if hertz >= self.end => 0.0,
@@ -168,7 +171,7 @@ impl Place {
     ///
     /// # Errors
     /// The notch, where the transfer cannot be inverted within the band.
-    fn cut(&self, axis: usize, dt: f64, band: f64) -> Result<Cut, Notch> {
+    pub fn cut(&self, axis: usize, dt: f64, band: f64) -> Result<Cut, Notch> {
         match self.notch(axis, 0.5 / dt) {
             None => Ok(Cut::NONE),
             Some(notch) if band > FADE[1] * notch.from => Err(notch),

@@ -18,6 +18,7 @@ pub use table::CurveTable;
 
 use crate::layered_column::{Layer, LayeredColumn, Train};
 use rayon::prelude::*;
+use std::f64::consts::TAU;
 use std::fmt;
 use tremolite_engine::Top;
 use tremolite_engine::problem::Rayleigh;
@@ -137,16 +138,38 @@ pub fn fit(
     given: Given,
     search: Search,
 ) -> Result<Fitted, Unfit> {
-    if soils.is_empty() || acceleration.iter().all(|a| *a == 0.0) {
+    fit_together(soils, rock, &[acceleration], dt, given, search, &|_| 1.0)
+}
+
+/// The same under components that are given at once, along directions at right angles: the strain of a layer is the largest of what they
+/// make together, whichever way the directions point. Of each frequency \[Hz\] the share `kept` counts.
+///
+/// # Errors
+/// [`Unfit`].
+pub fn fit_together(
+    soils: &[Soil],
+    rock: Rock,
+    accelerations: &[&[f64]],
+    dt: f64,
+    given: Given,
+    search: Search,
+    kept: &(dyn Fn(f64) -> f64 + Sync),
+) -> Result<Fitted, Unfit> {
+    let moving = accelerations.iter().filter(|along| along.iter().any(|a| *a != 0.0));
+    let trains: Vec<Train> = moving
+        .map(|along| {
+            let sample = |t: f64| along.get((t / dt).round() as usize).copied().unwrap_or(0.0);
+            Train::of(sample, dt, along.len() as f64 * dt)
+        })
+        .collect();
+    if soils.is_empty() || trains.is_empty() {
         return Err(Unfit::Nothing);
     }
-    let sample = |t: f64| acceleration.get((t / dt).round() as usize).copied().unwrap_or(0.0);
-    let train = Train::of(sample, dt, acceleration.len() as f64 * dt);
     let start = soils.iter().map(|soil| soil.curves.at(0.0));
     let mut used: Vec<[f64; 2]> = start.collect();
     for round in 1..=search.most_rounds {
         let column = column(soils, rock, &used);
-        let strains = strains(soils, &column, &train, given);
+        let strains = strains(soils, &column, &trains, given, kept);
         let next: Vec<[f64; 2]> =
             soils.iter().zip(&strains).map(|(soil, strain)| soil.curves.at(search.share * strain)).collect();
         let share = |(new, old): (&f64, &f64)| if new == old { 0.0 } else { (new - old).abs() / new.abs() };
@@ -193,20 +216,32 @@ fn column(soils: &[Soil], rock: Rock, used: &[[f64; 2]]) -> LayeredColumn {
 }
 
 /// The largest shear strain in the middle of each layer, from the surface down.
-fn strains(soils: &[Soil], column: &LayeredColumn, train: &Train, given: Given) -> Vec<f64> {
-    // The waves of a frequency serve all layers.
-    let all = train.frequencies(|s| {
+fn strains(
+    soils: &[Soil],
+    column: &LayeredColumn,
+    trains: &[Train],
+    given: Given,
+    kept: &(dyn Fn(f64) -> f64 + Sync),
+) -> Vec<f64> {
+    // The waves of a frequency serve all layers. Trains are as long as each other.
+    let all = trains[0].frequencies(|s| {
+        let share = kept(s.im / TAU);
+        if share == 0.0 {
+            return vec![Complex64::default(); soils.len()];
+        }
         let [factors, slopes] = column.factors_and_slopes(s);
         let given = match given {
             Given::Outcrop => Complex64::from(2.0),
             Given::Surface => factors[soils.len() + 1],
         };
-        let of = |layer: usize| slopes[layer] / (given * s * s);
+        let of = |layer: usize| share * slopes[layer] / (given * s * s);
         (1..=soils.len()).rev().map(of).collect::<Vec<Complex64>>()
     });
     let largest = |layer: usize| {
-        let strain = train.through_each(|k| all[k][layer]);
-        strain.iter().fold(0.0, |most: f64, strain| most.max(strain.abs()))
+        let strains: Vec<Vec<f64>> =
+            trains.iter().map(|train| train.through_each(|k| all[k][layer])).collect();
+        let square = |k: usize| strains.iter().map(|strain| strain[k] * strain[k]).sum::<f64>();
+        (0..strains[0].len()).map(square).fold(0.0, f64::max).sqrt()
     };
     (0..soils.len()).into_par_iter().map(largest).collect()
 }

@@ -166,8 +166,8 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     if let Some(waves) = waves {
         time.shown(&waves.frame);
         for wave in &waves.waves {
-            time.shown(&(wave.heading, wave.component));
-            time.numbers([&wave.factor.re, &wave.factor.im]);
+            time.shown(&wave.heading);
+            time.numbers(wave.factors.iter().flat_map(|factor| [&factor.re, &factor.im]));
         }
         time.number(waves.motion.dt);
         time.numbers(waves.motion.acceleration.iter().flatten());

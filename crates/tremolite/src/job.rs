@@ -162,6 +162,11 @@ impl Job {
             Err(why) => return Err(Fault { remarks, why }),
         };
         let plan = setup.plan;
+        let mut motion = setup.motion;
+        if let (Some(facts), Some(waves)) = (&mut motion, &plan.waves) {
+            // With what the field keeps for the heights of the model.
+            facts.series = waves.field.bytes();
+        }
         let near = near_sides(&model, warnings::mirrored(&case));
         let (dt, steps) = choose_step(&model, &plan, &stable);
         let of_model = vec![
@@ -179,7 +184,7 @@ impl Job {
         let job = Job {
             case,
             plan,
-            motion: setup.motion,
+            motion,
             materials: setup.materials,
             groups,
             reference: setup.reference,

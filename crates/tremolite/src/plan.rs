@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 use std::sync::Arc;
 use tremolite_engine::model::Model;
 use tremolite_mesh::locate::Location;
-use tremolite_motion::Motion;
+use tremolite_motion::{Complex64, Motion};
 use tremolite_results::{PageWish, TargetSpectrum};
 
 /// A point whose histories are kept.
@@ -100,15 +100,18 @@ fn incident(waves: &[Entering], rows: usize, motion: &Motion) -> Motion {
             (&mut sum.displacement, &own.displacement),
         ];
         for (sum, own) in kinds {
-            let late = std::iter::repeat_n(0.0, rows).chain(own[wave.component].iter().copied());
-            let carried: Vec<f64> = match wave.factor.im == 0.0 {
-                true => late.map(|x| wave.factor.re * x).collect(),
-                // Turned in phase, as a surface beyond the critical angle turns it.
-                false => {
-                    let padded: Vec<f64> = late.chain(std::iter::repeat_n(0.0, 3 * count)).collect();
-                    tremolite_motion::transferred(&padded, motion.dt, &|_| wave.factor)
-                }
+            let late = |part: fn(&Complex64) -> f64| {
+                let own = (0..own[0].len()).map(move |k| wave.sum([0, 1, 2].map(|axis| own[axis][k]), part));
+                std::iter::repeat_n(0.0, rows).chain(own)
             };
+            let mut carried: Vec<f64> = late(|factor| factor.re).collect();
+            if wave.turns() {
+                // Turned in phase, as a surface beyond the critical angle turns it.
+                let padded: Vec<f64> =
+                    late(|factor| factor.im).chain(std::iter::repeat_n(0.0, 3 * count)).collect();
+                let turned = tremolite_motion::transferred(&padded, motion.dt, &|_| Complex64::i());
+                carried.iter_mut().zip(turned).for_each(|(x, turned)| *x += turned);
+            }
             for (sum, share) in sum.iter_mut().zip(moves) {
                 sum.iter_mut().zip(&carried).for_each(|(sum, x)| *sum += share * x);
             }

@@ -6,7 +6,7 @@ use crate::interfaces::{self, interfaces};
 use crate::observers::{BoltForces, Extremes, strengths};
 use crate::outcome::run_in_words;
 use crate::plan::Plan;
-use crate::setup::MotionFacts;
+use crate::setup::{CarriedFacts, MotionFacts, SoilFacts, WaveFacts};
 use crate::simulation::Ending;
 use crate::stress::stresses;
 use crate::support;
@@ -17,7 +17,8 @@ use indexmap::IndexMap;
 use tremolite_engine::column::corner_name;
 use tremolite_results::{
     BoltSummary, CaseFacts, Computed, Conclusion, Deconvolved, Finding, ModelFacts, MonitorFacts,
-    MotionFacts as MotionSummary, PartFacts, Soundness, Status, Summary, peaks_by_monitor,
+    MotionFacts as MotionSummary, PartFacts, SoilLayer, Soundness, Status, Summary, Wave, WavePart,
+    peaks_by_monitor,
 };
 
 /// The summary of a run that ended.
@@ -111,7 +112,10 @@ pub fn summary(evidence: Evidence) -> Summary {
                     at_rest: site.at_rest,
                     least: site.least.0,
                     least_at: site.least.1,
+                    soil: site.soil.iter().map(soil).collect(),
                 }),
+                waves: motion.waves.iter().map(wave).collect(),
+                lead: motion.lead,
             }),
             boundaries: plan.boundaries.clone(),
             run: evidence.run,
@@ -174,4 +178,32 @@ fn verdict(run: &str, findings: &[Finding], bolts: &IndexMap<String, BoltSummary
         }
     }
     text
+}
+
+fn soil(layer: &SoilFacts) -> SoilLayer {
+    SoilLayer {
+        thickness: layer.thickness,
+        shear_wave_velocity: layer.speed,
+        strain: layer.strain,
+        modulus: layer.modulus,
+        damping: layer.damping,
+    }
+}
+
+fn wave(wave: &WaveFacts) -> Wave {
+    let part = |part: &CarriedFacts| WavePart {
+        component: part.component.into(),
+        factor: part.factor,
+        phase: part.phase,
+    };
+    Wave {
+        kind: wave.kind.word().into(),
+        angle: wave.angle,
+        azimuth: wave.azimuth,
+        way: wave.way,
+        polarisation: wave.polarisation,
+        parts: wave.parts.iter().map(part).collect(),
+        apparent_velocity: if wave.apparent_velocity.is_finite() { wave.apparent_velocity } else { f64::NAN },
+        arrives: wave.arrives,
+    }
 }

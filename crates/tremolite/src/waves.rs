@@ -5,10 +5,14 @@
 //! [`ground`] answers for one frequency, [`series`] makes of that what a level does in time, [`field`] hands it to the
 //! boundaries of the engine, and [`surface`] says how much of a wave is seen on bare rock.
 
+mod answered;
 pub mod field;
+mod grid;
 pub mod ground;
 pub mod heading;
+pub mod heights;
 pub mod modes;
+pub mod resolved;
 pub mod rock;
 pub mod series;
 pub mod surface;

@@ -9,17 +9,18 @@
 //! Stresses are compared with what is exact at the same radius and angle: those of the first ring's centres, or of a liner's
 //! points, taken together along a fibre at its middle, since the strain along a fibre is even in these elements.
 
+pub mod aslant;
 mod mesh;
 
 use crate::VerifyError;
 use crate::models::Solid;
-use crate::scattering::{Cavity, Place};
+use crate::scattering::{Cavity, Incoming, Place};
 use crate::simulation::{Simulation, whole_steps};
 use crate::staged::turned;
 use mesh::Parts;
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use tremolite::{Base, Incident, Problem, Quadrature, Side, Top};
+use tremolite::{Base, Incident, Problem, Quadrature, Side, Snapshot, Top};
 use tremolite_mesh::Mesh;
 use tremolite_motion::Motion;
 
@@ -103,7 +104,7 @@ impl Slice {
         let seen = self.run(rate, [period, period + settle * unit], rows)?;
         let mut errors = Vec::new();
         for omega in omegas {
-            let exact = self.cavity.scatter(omega).hoops(&seen.places);
+            let exact = self.cavity.scatter(Incoming::P, omega).hoops(&seen.places);
             let largest = exact.iter().fold(0.0, |most: f64, x| most.max(x.norm()));
             let error = seen.hoops.iter().zip(exact).map(|(hoops, exact)| {
                 // i e^(−iωt) is a sine at the axis, a radius behind the wall.
@@ -144,9 +145,34 @@ impl Slice {
         problem.incident = Some(Incident { motion, factor: 1.0 });
         let simulation = Simulation::new(problem)?;
 
-        let looked: Vec<u32> = if liner.is_empty() { wall } else { liner };
-        let (mut places, mut fibres) = (Vec::new(), Vec::new());
-        for element in looked {
+        let elements: Vec<u32> = if liner.is_empty() { wall } else { liner };
+        let looked = self.fibres(&simulation, &elements, false);
+        let (between, dt) = whole_steps(span / f64::from(rows), 0.9 * simulation.stable());
+        // So many steps before the first look that the last one is at the end.
+        let steps = (until / dt).round() as u64;
+        let first = steps - between * u64::from(rows - 1);
+        let mut engine = simulation.engine();
+        let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
+        let mut seen = Seen {
+            hoops: vec![Vec::new(); looked.places.len()],
+            places: looked.places.clone(),
+            times: Vec::new(),
+        };
+        for step in 1..=steps {
+            engine.step(&mut state);
+            if step >= first && (step - first).is_multiple_of(between) {
+                let snapshot = engine.look(&state).snapshot;
+                seen.times.push(state.time() - delay);
+                looked.hoops(&snapshot, &mut seen.hoops);
+            }
+        }
+        Ok(seen)
+    }
+
+    /// The fibres of elements, with σ_θ or, `across`, with σ_θy.
+    fn fibres(&self, simulation: &Simulation, elements: &[u32], across: bool) -> Looked {
+        let mut looked = Looked { across, ..Looked::default() };
+        for &element in elements {
             let Some(slot) = simulation.phase.element_slot[element as usize] else { continue };
             let (first, count) = (slot.point as usize, usize::from(slot.points));
             // Of 2×2×2 points those with the same bit 0 lie at one radius.
@@ -154,29 +180,36 @@ impl Slice {
             for (side, bit) in sides.iter().zip(0..) {
                 let x = fibre(&simulation.model.mesh, element, side / 3f64.sqrt());
                 let points: Vec<usize> = (first..first + count).filter(|p| (p - first) & 1 == bit).collect();
-                places.push([x[0].hypot(x[1]), FRAC_PI_2 - x[1].atan2(x[0])]);
-                fibres.push((points, x[1].atan2(x[0])));
+                looked.places.push([x[0].hypot(x[1]), FRAC_PI_2 - x[1].atan2(x[0])]);
+                looked.fibres.push((points, x[1].atan2(x[0])));
             }
         }
-        let (between, dt) = whole_steps(span / f64::from(rows), 0.9 * simulation.stable());
-        // So many steps before the first look that the last one is at the end.
-        let steps = (until / dt).round() as u64;
-        let first = steps - between * u64::from(rows - 1);
-        let mut engine = simulation.engine();
-        let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
-        let mut seen = Seen { hoops: vec![Vec::new(); places.len()], places, times: Vec::new() };
-        for step in 1..=steps {
-            engine.step(&mut state);
-            if step >= first && (step - first).is_multiple_of(between) {
-                let snapshot = engine.look(&state).snapshot;
-                seen.times.push(state.time() - delay);
-                for (hoops, (points, angle)) in seen.hoops.iter_mut().zip(&fibres) {
-                    let hoop: f64 = points.iter().map(|p| turned(&snapshot.stress[*p], *angle)[1]).sum();
-                    hoops.push(hoop / points.len() as f64 / STRESS);
-                }
-            }
+        looked
+    }
+}
+
+/// What is looked at: fibres, or nodes.
+#[derive(Default)]
+struct Looked {
+    /// σ_θy in place of σ_θ.
+    across: bool,
+    /// r \[m\], and of fibres the angle from z towards x \[rad\].
+    places: Vec<Place>,
+    /// Points, and the angle from x towards z \[rad\].
+    fibres: Vec<(Vec<usize>, f64)>,
+    nodes: Vec<usize>,
+}
+
+impl Looked {
+    /// Adds the stress along each fibre over the incident one.
+    fn hoops(&self, snapshot: &Snapshot, hoops: &mut [Vec<f64>]) {
+        for (hoops, (points, angle)) in hoops.iter_mut().zip(&self.fibres) {
+            let (sine, cosine) = angle.sin_cos();
+            let of =
+                |s: &[f64; 6]| if self.across { cosine * s[4] - sine * s[3] } else { turned(s, *angle)[1] };
+            let hoop: f64 = points.iter().map(|p| of(&snapshot.stress[*p])).sum();
+            hoops.push(hoop / points.len() as f64 / STRESS);
         }
-        Ok(seen)
     }
 }
 

@@ -31,6 +31,7 @@ mod full_space;
 pub mod hill;
 mod id;
 mod joints;
+mod lattice;
 mod lined;
 mod michell;
 mod models;

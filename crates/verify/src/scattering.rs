@@ -1,11 +1,14 @@
-//! A plane P wave at a round cavity, bare or lined, in an elastic space: exact in frequency, and a step of stress in time.
+//! A plane P or SV wave at a round cavity, bare or lined, in an elastic space: exact in frequency, and a step of stress in time; an SH
+//! wave in [`across`].
 //!
 //! Plane strain, tension positive; r and θ about the axis, θ from the direction in which the wave travels; time goes as
 //! e^(−iωt). With u = ∇φ + ∇×ψ and q = ω/c_p, κ = ω/c_s the incident wave is φ = φ₀ Σ ε_n iⁿ J_n(qr) cos nθ, what is
 //! scattered A_n H_n⁽¹⁾(qr) cos nθ in φ and B_n H_n⁽¹⁾(κr) sin nθ in ψ, and a liner has J_n and Y_n of both. For each n
 //! the tractions vanish at the wall; at a liner's outer face tractions and displacements are those of the rock, to which it is
-//! bonded (`pao1973`).
+//! bonded (`pao1973`). An incident SV wave ψ = ψ₀ Σ ε_n iⁿ J_n(κr) cos nθ has sines and cosines changed, which is the same with −n for
+//! n wherever that stands alone.
 
+pub mod across;
 mod step;
 
 use crate::bessel::Bessel;
@@ -28,9 +31,26 @@ pub struct Cavity {
 /// Where a stress is asked for: r \[m\] and θ \[rad\].
 pub type Place = [f64; 2];
 
+/// What comes in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Incoming {
+    /// σ_xx = e^(i(qx − ωt)), x along its way.
+    P,
+    /// σ_xy = e^(i(κx − ωt)), y a quarter of a turn further round.
+    Sv,
+}
+
+impl Incoming {
+    /// n with its sign.
+    fn order(self, n: usize) -> f64 {
+        if self == Incoming::P { n as f64 } else { -(n as f64) }
+    }
+}
+
 /// The solution at one frequency.
 pub struct Scattered {
     cavity: Cavity,
+    incoming: Incoming,
     omega: f64,
     /// By n: P and S waves in the rock; J and Y of P and of S in the liner.
     rock: Vec<[Complex64; 2]>,
@@ -47,9 +67,9 @@ enum Wave {
 /// u_r, u_θ \[m\], σ_r, τ_rθ, σ_θ \[Pa\] of a potential at a radius, without cos nθ or sin nθ.
 type Field = [Complex64; 5];
 
-/// Of the potential f(r) cos nθ (P) or f(r) sin nθ (S), f and its derivative given.
-fn field(solid: Solid, wave: Wave, number: f64, n: usize, r: f64, f: [Complex64; 2]) -> Field {
-    let (moduli, n) = (solid.moduli(), n as f64);
+/// Of the potential f(r) cos nθ (P) or f(r) sin nθ (S), f and its derivative given; of sine and cosine changed with −n.
+fn field(solid: Solid, wave: Wave, number: f64, n: f64, r: f64, f: [Complex64; 2]) -> Field {
+    let moduli = solid.moduli();
     let [f, slope] = f;
     // Bessel's equation.
     let bend = -slope / r - f * (number * number - n * n / (r * r));
@@ -98,25 +118,30 @@ fn numbers(solid: Solid, omega: f64) -> [(Wave, f64); 2] {
 }
 
 impl Cavity {
-    /// The solution at ω \[rad/s\] > 0 for an incident σ_xx = e^(i(qx − ωt)), x along its way.
-    pub fn scatter(&self, omega: f64) -> Scattered {
+    /// The solution at ω \[rad/s\] > 0.
+    pub fn scatter(&self, incoming: Incoming, omega: f64) -> Scattered {
         let [p, s] = numbers(self.rock, omega);
         // Beyond the argument terms fall faster than any power.
         let most = s.1 * self.radius;
         let most = (most + 10.0 * most.cbrt() + 15.0) as usize;
-        let potential = -1.0 / (self.rock.density * omega * omega);
+        let inertia = self.rock.density * omega * omega;
+        let (carrier, potential) = match incoming {
+            Incoming::P => (0, -1.0 / inertia),
+            Incoming::Sv => (1, 1.0 / inertia),
+        };
         let outside = [p, s].map(|(_, number)| Cylinder::new(most, number, self.radius));
         let of = |cylinder: &Cylinder, solid, wave, n, mixed| {
-            field(solid, wave, cylinder.number, n, cylinder.r, cylinder.mixed(n, mixed))
+            field(solid, wave, cylinder.number, incoming.order(n), cylinder.r, cylinder.mixed(n, mixed))
         };
-        let mut scattered = Scattered { cavity: *self, omega, rock: Vec::new(), liner: Vec::new() };
+        let mut scattered = Scattered { cavity: *self, incoming, omega, rock: Vec::new(), liner: Vec::new() };
         let lined = self.liner.map(|(solid, inner)| {
             let at = |r: f64| numbers(solid, omega).map(|(_, number)| Cylinder::new(most, number, r));
             (solid, at(inner), at(self.radius))
         });
         for n in 0..=most {
             let amplitude = potential * if n == 0 { 1.0 } else { 2.0 } * I.powu(n as u32);
-            let incident = of(&outside[0], self.rock, Wave::P, n, J).map(|x| x * amplitude);
+            let carried = if carrier == 0 { Wave::P } else { Wave::S };
+            let incident = of(&outside[carrier], self.rock, carried, n, J).map(|x| x * amplitude);
             let rock = [of(&outside[0], self.rock, Wave::P, n, H), of(&outside[1], self.rock, Wave::S, n, H)];
             let Some((solid, within, without)) = &lined else {
                 let row = |k: usize| vec![rock[0][k], rock[1][k], -incident[k]];
@@ -146,7 +171,7 @@ impl Cavity {
 }
 
 impl Scattered {
-    /// σ_θ at places, over the incident σ_xx at the axis.
+    /// σ_θ at places, over the incident stress at the axis.
     pub fn hoops(&self, places: &[Place]) -> Vec<Complex64> {
         let mut known: Vec<(f64, Vec<Complex64>)> = Vec::new();
         let mut out = Vec::new();
@@ -156,15 +181,22 @@ impl Scattered {
                 known.len() - 1
             });
             let orders = &known[at].1;
-            let mut hoop: Complex64 =
-                orders.iter().zip(0..).map(|(x, n)| x * (f64::from(n) * angle).cos()).sum();
+            let round = |n: i32| match self.incoming {
+                Incoming::P => (f64::from(n) * angle).cos(),
+                Incoming::Sv => (f64::from(n) * angle).sin(),
+            };
+            let mut hoop: Complex64 = orders.iter().zip(0..).map(|(x, n)| x * round(n)).sum();
             if r >= self.cavity.radius {
                 // The incident wave in closed form.
                 let moduli = self.cavity.rock.moduli();
                 let across = moduli.lambda / (moduli.lambda + 2.0 * moduli.mu);
                 let (sine, cosine) = angle.sin_cos();
-                let phase = self.omega / self.cavity.rock.speeds().0 * r * cosine;
-                hoop += Complex64::from_polar(sine * sine + across * cosine * cosine, phase);
+                let (p, s) = self.cavity.rock.speeds();
+                let (share, speed) = match self.incoming {
+                    Incoming::P => (sine * sine + across * cosine * cosine, p),
+                    Incoming::Sv => (-2.0 * sine * cosine, s),
+                };
+                hoop += share * Complex64::from_polar(1.0, self.omega / speed * r * cosine);
             }
             out.push(hoop);
         }
@@ -185,7 +217,7 @@ impl Scattered {
                 self.rock[n].map(|x| [x, I * x])
             };
             let parts = waves.iter().zip(mixed).map(|((wave, cylinder), mixed)| {
-                field(solid, *wave, cylinder.number, n, r, cylinder.mixed(n, mixed))[4]
+                field(solid, *wave, cylinder.number, self.incoming.order(n), r, cylinder.mixed(n, mixed))[4]
             });
             parts.sum()
         };
@@ -234,7 +266,7 @@ mod tests {
     }
 
     fn sizes(cavity: Cavity, omega: f64, r: f64) -> Vec<f64> {
-        cavity.scatter(omega).hoops(&around(r)).iter().map(|x| x.norm()).collect()
+        cavity.scatter(Incoming::P, omega).hoops(&around(r)).iter().map(|x| x.norm()).collect()
     }
 
     pub(super) fn near(found: &[f64], exact: &[f64], tolerance: f64) {
@@ -253,7 +285,7 @@ mod tests {
         ] {
             near(&sizes(bare(), ka * ROCK.speeds().0 / 8.5, 8.5), &exact, 1e-6);
         }
-        let phases = bare().scatter(0.25 * ROCK.speeds().0 / 8.5).hoops(&around(8.5));
+        let phases = bare().scatter(Incoming::P, 0.25 * ROCK.speeds().0 / 8.5).hoops(&around(8.5));
         let [ahead, beside] = [phases[0], phases[4]];
         near(
             &[ahead.re, ahead.im, beside.re, beside.im],
@@ -306,13 +338,38 @@ mod tests {
         let omega = 300.0;
         let lined = Cavity { liner: Some((ROCK, 8.0)), ..bare() };
         let smaller = Cavity { radius: 8.0, ..bare() };
-        for r in [8.0, 8.2, 8.5, 11.0] {
+        for (r, incoming) in
+            [8.0, 8.2, 8.5, 11.0].into_iter().flat_map(|r| [(r, Incoming::P), (r, Incoming::Sv)])
+        {
             let places = around(r);
-            for (a, b) in
-                lined.scatter(omega).hoops(&places).iter().zip(smaller.scatter(omega).hoops(&places))
-            {
+            let both = [lined, smaller].map(|cavity| cavity.scatter(incoming, omega).hoops(&places));
+            for (a, b) in both[0].iter().zip(&both[1]) {
                 assert!((a - b).norm() < 1e-9, "{r}: {a} {b}");
             }
+        }
+    }
+
+    /// Slow shear at a bare wall is that of the plane under shear, 4 sin 2θ (`kirsch1898` at 45° and 135°).
+    #[test]
+    fn slow_shear_is_that_of_the_static_plane() {
+        let found = bare().scatter(Incoming::Sv, 1e-3 * ROCK.speeds().1 / 8.5).hoops(&around(8.5));
+        for (found, angle) in found.iter().zip(ANGLES) {
+            let exact = -4.0 * (2.0 * angle.to_radians()).sin();
+            assert!((found - exact).norm() < 5e-3, "{angle}: {found} {exact}");
+        }
+    }
+
+    /// Far from what is scattered the sum of the series is the incident wave: with a cavity that is hardly one.
+    #[test]
+    fn a_shear_wave_passes_a_cavity_that_is_hardly_one() {
+        let tiny = Cavity { radius: 1e-4, ..bare() };
+        let [r, omega] = [8.5, 200.0];
+        let found = tiny.scatter(Incoming::Sv, omega).hoops(&around(r));
+        for (found, angle) in found.iter().zip(ANGLES) {
+            let (sine, cosine) = angle.to_radians().sin_cos();
+            let exact =
+                -2.0 * sine * cosine * Complex64::from_polar(1.0, omega / ROCK.speeds().1 * r * cosine);
+            assert!((found - exact).norm() < 1e-6, "{angle}: {found} {exact}");
         }
     }
 }

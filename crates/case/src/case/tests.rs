@@ -64,6 +64,17 @@ fn cases() -> Vec<String> {
             .replace("[material.rock]", "[water]\nlevel = \"3 m\"\n[material.rock]\nwater = { biot = 0.9 }")
             .replacen("[[stage]]", "[[stage]]\nwater = { level = \"1 m\", filled = { \"top\" = \"2 m\" } }", 1)
             .replacen("[[interface]]", "[[interface]]\nwater = { drained = true }", 1),
+        EVERY_KEY
+            .replace("kind = \"within\"\ndepth = \"50 m\"", "kind = \"surface\"")
+            .replace(
+                "unit_weight = \"19 kN/m3\", damping = 0.05",
+                "unit_weight = \"19 kN/m3\", darendeli = { plasticity_index = 15, stress = \"50 kPa\" }",
+            )
+            .replace(
+                "damping = \"2 %\"",
+                "curves = { strain = [1e-5, 1e-4], modulus = [1.0, 0.8], damping = [0.01, 0.03] }",
+            )
+            .replace("target = { period = [\"0.1 s\", \"0.5 s\"], sa = [\"5 m/s2\", \"2 m/s2\"] }", "target = { file = \"code.csv\" }"),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
         with_waves(
             "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n",

@@ -2,6 +2,7 @@
 
 mod component;
 mod site;
+mod soil;
 mod target;
 mod wave;
 
@@ -14,8 +15,9 @@ pub(crate) use component::COMPONENT;
 pub use component::{Component, Direction, Record, RecordUnit, TextColumn};
 pub(crate) use site::unit_weights;
 pub use site::{Corner, Site, SiteLayer};
-pub use target::TargetSpectrum;
-pub use wave::{SurfacePart, Wave, WaveWord};
+pub use soil::Softening;
+pub use target::{Target, TargetSpectrum};
+pub use wave::{SurfacePart, Wave, WaveComponent, WaveWord};
 
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
@@ -54,9 +56,10 @@ pub(crate) static MOTION: Table = Table {
         Key::optional("up", Kind::Table(&component::COMPONENT), "", "Component upwards"),
         Key::optional(
             "target",
-            Kind::Table(&target::TARGET),
+            target::TARGETS,
             "",
-            "Spectrum that the design calls for, drawn beside the record's",
+            "Spectrum that the design calls for, drawn beside the record's, and matched by a step \"match\": \"EN 1998-1 type 1 ground B 2 m/s2\" \
+             (type 1 or 2, ground A to E, a_g), a file, or points",
         ),
         Key::optional("window", WINDOW_KIND, "the whole record", "The part of the record that is used"),
         Key::optional(
@@ -65,7 +68,7 @@ pub(crate) static MOTION: Table = Table {
             "no processing",
             "Steps of processing, in this order: \"detrend linear\", \"baseline\", \"baseline polynomial N\", \"pre-event S s\", \
              \"taper S s\", \"highpass F Hz\", \"lowpass F Hz\", \"bandpass F Hz F Hz\", \"scale X\", \"pga X g\" (the largest \
-             component; the others by the same factor)",
+             component; the others by the same factor), \"match\" or \"match T s T s\" (to `target`, from one period to the other)",
         ),
         Key::default(
             "model_x_azimuth",
@@ -129,8 +132,8 @@ pub struct Motion {
     pub records: Records,
     /// What a count of the one file is, as written; read by the motion crate. Files of components have their own.
     pub sensitivity: Option<Spanned<String>>,
-    /// The spectrum that the design calls for; nothing is fitted to it.
-    pub target: Option<TargetSpectrum>,
+    /// The spectrum that the design calls for.
+    pub target: Option<Target>,
     /// The part that is used; nothing: all.
     pub window: Option<Spanned<Window>>,
     /// Steps of processing as they are written, in this order; read by the motion crate.
@@ -180,7 +183,7 @@ impl Motion {
         });
         Some(Motion {
             window,
-            target: f.table("target").map(TargetSpectrum::read),
+            target: Target::read(f),
             sensitivity: f.text("sensitivity"),
             process: f.texts("process"),
             model_x_azimuth: f.number("model_x_azimuth")?,

@@ -3,8 +3,10 @@
 use tremolite_laws::parameter::Dimension;
 
 use crate::fields::Fields;
-use crate::keys::{Key, Kind, Limit, Table, words};
+use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::{Diagnostic, Spanned};
+
+use super::soil::{self, Softening};
 
 pub(super) static SITE: Table = Table {
     path: "motion.site",
@@ -51,8 +53,24 @@ static LAYER: Table = Table {
         Key::required(
             "damping",
             Kind::Number(Dimension::NONE, Limit::Within(0.3)),
-            "ratio to critical damping in small cycles, the same at all frequencies",
-        ),
+            "ratio to critical damping, the same at all frequencies; the layer is linear then",
+        )
+        .when(When::WithoutAny(soil::CURVES)),
+        Key::optional(
+            "darendeli",
+            Kind::Table(&soil::DARENDELI),
+            "",
+            "Softens and damps by its strain after Darendeli (2001), which the record is deconvolved with",
+        )
+        .when(When::WithoutAny(&["vucetic_dobry", "curves"])),
+        Key::optional(
+            "vucetic_dobry",
+            Kind::Number(Dimension::NONE, Limit::Within(200.0)),
+            "",
+            "The same after Vucetic and Dobry (1991), for this plasticity index in %",
+        )
+        .when(When::Without("curves")),
+        Key::optional("curves", Kind::Table(&soil::TABLE), "", "The same by a table of your own"),
     ],
     choice: &[&["density"], &["unit_weight"]],
 };
@@ -102,8 +120,8 @@ pub struct SiteLayer {
     pub poisson: Spanned<f64>,
     /// kg/m³
     pub density: Spanned<f64>,
-    /// Ratio to critical damping, the same at all frequencies.
-    pub damping: Spanned<f64>,
+    /// How it damps, and softens if it does.
+    pub softening: Softening,
 }
 
 impl SiteLayer {
@@ -120,7 +138,7 @@ impl SiteLayer {
             shear_wave_velocity: f.number("shear_wave_velocity")?,
             poisson: f.number("poisson")?,
             density: f.number("density").or(by_weight)?,
-            damping: f.number("damping")?,
+            softening: Softening::read(f)?,
         })
     }
 }
@@ -138,8 +156,19 @@ impl Site {
     }
 }
 
-/// Refuses ground for records that stand on none.
+/// Refuses ground for records that stand on none, and soil that softens where no record of its surface says how far.
 pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
+    let layers = motion.table("site").into_iter().flat_map(|f| f.tables("layers"));
+    let soft = layers.flat_map(|layer| soil::CURVES.iter().filter_map(|key| layer.get(key))).next();
+    if let (Some(soft), Some(kind)) = (soft, motion.text("kind"))
+        && kind.value == "within"
+    {
+        problems.push(Diagnostic::new(
+            soft.span.clone(),
+            "a layer softens by the strain of a record at the surface, and this one was taken within the ground",
+            "give the layers the velocities and `damping` that go with its strain",
+        ));
+    }
     if let (Some(site), Some(kind)) = (motion.get("site"), motion.text("kind"))
         && ["outcrop", "incident"].contains(&kind.value.as_str())
     {

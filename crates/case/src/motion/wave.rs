@@ -29,8 +29,9 @@ pub(crate) static WAVE: Table = Table {
         ),
         Key::required(
             "component",
-            Kind::Word(Direction::WORDS),
-            "which component of the motion is its own: along its way (P), h cos θ − z sin θ (SV) or z × h (SH), h being its way in plan",
+            Kind::Word(WaveComponent::WORDS),
+            "which component of the motion is its own: along its way (P), h cos θ − z sin θ (SV) or z × h (SH), h being its way in plan; \
+             or \"together\": a P, an SV and an SH wave that make all of it",
         ),
         Key::default("scale", Kind::Number(Dimension::NONE, Limit::Any), "1.0", "Factor on that component"),
         Key::optional(
@@ -57,6 +58,20 @@ words! {
 }
 
 words! {
+    /// What of a motion a wave carries.
+    WaveComponent {
+        /// The component towards east.
+        East = "east",
+        /// That towards north.
+        North = "north",
+        /// That upwards.
+        Up = "up",
+        /// All components, with two other waves: one is P, one SV and one SH.
+        Together = "together",
+    }
+}
+
+words! {
     /// A part of the motion of a rock surface under a P or SV wave.
     SurfacePart {
         /// Along the wave's way in plan.
@@ -76,7 +91,7 @@ pub struct Wave {
     /// Its way in plan, clockwise from north, rad.
     pub azimuth: Spanned<f64>,
     /// The component of the motion that it carries.
-    pub component: Spanned<Direction>,
+    pub component: Spanned<WaveComponent>,
     /// Factor on that.
     pub scale: Spanned<f64>,
     /// With an outcrop's motion, which part of that the component is; nothing: along its way, across it for SH.
@@ -91,7 +106,7 @@ impl Wave {
             kind: f.word("type", WaveWord::from_word)?,
             angle: f.number("angle")?,
             azimuth: f.number("azimuth")?,
-            component: f.word("component", Direction::from_word)?,
+            component: f.word("component", WaveComponent::from_word)?,
             scale: f.number("scale")?,
             part: f.word("part", SurfacePart::from_word),
             span: f.span.clone(),
@@ -123,6 +138,21 @@ pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
             "`part` is one of a rock surface's motion, and the motion is the incident wave itself",
             "leave it out, or write kind = \"outcrop\"",
         ));
+    }
+    let together =
+        |f: &&Fields| f.text("component").is_some_and(|word| word.value == WaveComponent::Together.word());
+    if let Some(first) = waves.iter().copied().find(|f| together(f)) {
+        let mut kinds: Vec<String> = waves.iter().filter_map(|f| Some(f.text("type")?.value)).collect();
+        kinds.sort_unstable();
+        let part = waves.iter().any(|f| f.get("part").is_some());
+        if !waves.iter().all(together) || kinds != ["P", "SH", "SV"] || part {
+            problems.push(Diagnostic::new(
+                first.get("component").map_or(first.span.clone(), |node| node.span.clone()),
+                "waves carry a motion together as one P, one SV and one SH wave, each with component = \"together\" and without `part`",
+                "give these three, or each wave a component of its own",
+            ));
+        }
+        return;
     }
     if motion.text("file").is_some() {
         return;

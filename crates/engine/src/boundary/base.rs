@@ -37,22 +37,25 @@ pub struct BasePart {
     nodes: Vec<u32>,
     pushed: Vec<BaseNode>,
     free_field: FreeField,
-    /// The points of all faces, each once though up to four nodes share it, and by node which are its own.
-    points: Vec<[f64; 3]>,
-    of_node: Vec<Vec<u32>>,
+    /// The points of all faces with their normals, each once though up to four nodes share it, and by node which are its own, with N dA
+    /// \[m²\].
+    points: Vec<[[f64; 3]; 2]>,
+    of_node: Vec<Vec<(u32, f64)>>,
 }
 
 impl BasePart {
     pub fn new(pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
         let (mut points, mut known) = (Vec::new(), BTreeMap::new());
-        let mut number = |at: [f64; 3]| -> u32 {
-            *known.entry(at.map(f64::to_bits)).or_insert_with(|| {
-                points.push(at);
+        let mut share = |&(at, area): &([f64; 3], [f64; 3])| -> (u32, f64) {
+            let size = area.iter().map(|x| x * x).sum::<f64>().sqrt();
+            // A point lies inside one face.
+            let number = *known.entry(at.map(f64::to_bits)).or_insert_with(|| {
+                points.push([at, area.map(|x| x / size)]);
                 points.len() as u32 - 1
-            })
+            });
+            (number, size)
         };
-        let of_node =
-            pushed.iter().map(|base| base.place.shares.iter().map(|(at, _)| number(*at)).collect()).collect();
+        let of_node = pushed.iter().map(|base| base.place.shares.iter().map(&mut share).collect()).collect();
         let nodes = pushed.iter().map(|b| b.node).collect();
         BasePart { nodes, pushed, free_field, points, of_node }
     }
@@ -83,15 +86,16 @@ impl Part for BasePart {
         let now = self.free_field.now(tick.time);
         let pushes = self.free_field.line();
         let mut work = Lines::default();
-        let stresses = now.stresses(&self.points);
+        let tractions = now.tractions(&self.points);
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
         for (((base, points), out), last) in self.pushed.iter().zip(&self.of_node).zip(out).zip(last) {
             let du = x.increment(base.node).xyz();
-            let scattered = base.scattered(&now, x.u);
+            let sprung = base.spring != [0.0; 6];
+            let scattered = if sprung { base.scattered(&now, x.u) } else { [0.0; 3] };
             let spring = times(&base.spring, scattered);
             let before = times(&base.spring, [last[0], last[1], last[2]]);
             let push = now
-                .push(&base.place, &base.dashpot, points.iter().map(|&k| &stresses[k as usize]))
+                .push(&base.dashpot, points.iter().map(|&(k, area)| (tractions[k as usize], area)))
                 .map(|f| -f);
             for i in 0..3 {
                 work[Line::Springs] += 0.5 * (spring[i] + before[i]) * du[i];

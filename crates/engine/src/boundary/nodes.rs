@@ -31,6 +31,11 @@ pub struct Members {
 /// If the plane of a base that should do something has no faces.
 pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     let mut out = base_nodes(around)?;
+    if let Some(field) = &around.asked.free_field {
+        let nodes: Vec<f64> = out.base.iter().map(|base| base.place.at[2]).collect();
+        let shares = out.base.iter().flat_map(|base| &base.place.shares);
+        field.prepare(&nodes, &shares.map(|(at, _)| at[2]).collect::<Vec<_>>());
+    }
     let counted = out.base.iter().filter(|node| node.counted).cloned().collect();
     let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
     let all: [(_, Vec<BaseNode>, _); 2] =

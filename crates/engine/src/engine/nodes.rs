@@ -153,6 +153,9 @@ pub(super) fn by_passes<T: Send>(
     found
 }
 
+/// Velocities of a given free field that one thread finds at once.
+const AT_ONCE: usize = 256;
+
 /// Velocities at a time, in steps of the followers' own over the finest `dt`, that a given free field leaves to those who follow it.
 pub(super) fn given(
     model: &Model,
@@ -163,11 +166,14 @@ pub(super) fn given(
     leads: &mut [Lead],
 ) {
     let Some(field) = &model.boundaries.free_field else { return };
-    for &place in &beat.given {
+    let velocity = |&place: &u32| {
         let node = phase.leaders[place as usize].node() as usize;
         let at = model.mesh.nodes[model.mesh_node[node] as usize];
         let dt = dt * span(model.nodes.level[node]) as f64;
-        let velocity = time.map_or(Row::ZERO, |time| Row::new(field.velocity(at, time, dt)));
+        time.map_or(Row::ZERO, |time| Row::new(field.velocity(at, time, dt)))
+    };
+    let found: Vec<Row> = beat.given.par_iter().with_min_len(AT_ONCE).map(velocity).collect();
+    for (&place, velocity) in beat.given.iter().zip(found) {
         leads[place as usize] = Lead { mean: velocity, hat: velocity };
     }
 }

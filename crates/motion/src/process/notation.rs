@@ -8,7 +8,7 @@ use crate::shown::shown;
 
 /// What [`Process::parse`] reads, for messages.
 const FORMS: &str = "use 'detrend linear', 'baseline', 'baseline polynomial 3', 'pre-event 5 s', 'taper 1 s', \
-                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'resample 0.005 s', 'scale 0.35', 'pga 0.3 g' or 'pga 3 m/s2'";
+                     'highpass 0.1 Hz', 'lowpass 20 Hz', 'bandpass 0.1 Hz 20 Hz', 'resample 0.005 s', 'scale 0.35', 'pga 0.3 g', 'pga 3 m/s2', 'match' or 'match 0.1 s 2 s'";
 
 /// Between what has no unit and how it is written with one.
 const LACKS_UNIT: &str = " without a unit; write ";
@@ -18,8 +18,8 @@ const DEGREES: std::ops::RangeInclusive<usize> = 1..=10;
 
 impl Process {
     /// Reads a step as the case file writes it: `detrend linear`, `baseline`, `baseline polynomial 3`, `pre-event 5 s`,
-    /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `resample 0.005 s`, `scale 0.35`, `pga 0.3 g`.
-    /// Times and corners have their unit, which may stand once behind both corners.
+    /// `taper 1 s`, `highpass 0.1 Hz`, `lowpass 20 Hz`, `bandpass 0.1 Hz 20 Hz`, `resample 0.005 s`, `scale 0.35`, `pga 0.3 g`,
+    /// `match`, `match 0.1 s 2 s`. Times and corners have their unit, which may stand once behind both corners.
     ///
     /// # Errors
     /// A sentence that names the fault and the forms that are read.
@@ -84,6 +84,14 @@ impl Process {
                 Ok(Process::Bandpass { low: corners[0], high: corners[1] })
             }
             "resample" => Ok(Process::Resample { seconds: positive(numbers("s", 1)?)?[0] }),
+            "match" if rest.is_empty() => Ok(Process::Match { band: None }),
+            "match" => {
+                let periods = positive(numbers("s", 2)?)?;
+                if periods[0] >= periods[1] {
+                    return Err(wrong("the shorter period comes first".into()));
+                }
+                Ok(Process::Match { band: Some([periods[0], periods[1]]) })
+            }
             "scale" => Ok(Process::Scale(numbers("", 1)?[0])),
             _ => Err(wrong("not a known step".into())),
         }
@@ -141,6 +149,8 @@ impl fmt::Display for Process {
             Process::Resample { seconds } => write!(f, "resample {seconds} s"),
             Process::Scale(factor) => write!(f, "scale {factor}"),
             Process::PeakAcceleration { value, units } => write!(f, "pga {value} {units}"),
+            Process::Match { band: None } => f.write_str("match"),
+            Process::Match { band: Some([from, to]) } => write!(f, "match {from} s {to} s"),
         }
     }
 }
@@ -169,6 +179,8 @@ mod tests {
             ("bandpass 0.1 Hz 20 Hz", Process::Bandpass { low: 0.1, high: 20.0 }),
             ("scale 0.35", Process::Scale(0.35)),
             ("scale -1", Process::Scale(-1.0)),
+            ("match", Process::Match { band: None }),
+            ("match 0.1 s 2 s", Process::Match { band: Some([0.1, 2.0]) }),
         ] {
             assert_eq!(Process::parse(text), Ok(step));
             assert_eq!(step.to_string(), text);
@@ -198,6 +210,9 @@ mod tests {
             "bandpass 20 Hz 0.1 Hz",
             "bandpass 1 Hz",
             "highpass 0 Hz",
+            "match 2 s",
+            "match 2 s 1 s",
+            "match 0.1 2",
             "lowpass NaN Hz",
             "scale inf",
             "scale",

@@ -50,6 +50,28 @@ pub const TEXTS: Texts = &[
          component's ∫a²\u{a0}dt is left out.",
         "{reach}\u{a0}Hz 以上入射波在该处引起的运动过小，记录逐渐滤去：各分量舍去的部分至多占其 ∫a²\u{a0}dt 的 {left_out}。",
     ),
+    (
+        " Its layers have the moduli and the damping that go with the strain of the record: layer {number} from the surface, the \
+         softest, shears by {strain} and is left with {modulus} of its modulus.",
+        "各土层采用与记录应变相应的模量与阻尼：自地表起第 {number} 层软化最多，剪应变达 {strain}，模量降至其 {modulus}。",
+    ),
+    // Of waves at angles.
+    ("east", "东"),
+    ("north", "北"),
+    ("up", "上"),
+    ("{factor} × {component}", "{factor} × {component}"),
+    ("{factor} × {component}, turned by {phase}° in phase", "{factor} × {component}，相位转 {phase}°"),
+    ("{angle}° from the vertical towards {azimuth}°", "与竖直方向成 {angle}°，方位 {azimuth}°"),
+    ("; its field goes along the ground with {velocity}", "；沿地面的视速度为 {velocity}"),
+    (
+        "; beyond a critical angle, or turned in phase: the field fades in before the wave comes",
+        "；超过临界角或相位已转：波到达之前场逐渐淡入",
+    ),
+    ("{kind} wave", "{kind} 波"),
+    (
+        "It is carried by plane waves at angles ({waves}), which come {lead} later than in the record so that nothing moves before.",
+        "它由斜入射平面波（{waves}）携带，比记录晚 {lead} 到达，此前模型不动。",
+    ),
     (" Nothing of the record is left out.", "记录未舍去任何成分。"),
     ("{a} and {b}", "{a} 与 {b}"),
     ("frequency", "频率"),

@@ -1,10 +1,15 @@
 //! How the wave that comes in was made of a record on or within layered ground, in words.
 
-use tremolite_results::Deconvolved;
+use tremolite_results::{Deconvolved, SoilLayer};
 
 use crate::free_field::numbers::percent;
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, quantity, trimmed};
+
+/// The layer that is left with the least of its modulus, where any softens.
+fn softest(site: &Deconvolved) -> Option<(usize, &SoilLayer)> {
+    site.soil.iter().enumerate().min_by(|a, b| a.1.modulus.total_cmp(&b.1.modulus))
+}
 
 /// Where the record was taken, how much of the wave moves that place, and what became of the record: whole sentences.
 pub fn words(language: Language, site: &Deconvolved) -> String {
@@ -36,6 +41,16 @@ pub fn words(language: Language, site: &Deconvolved) -> String {
         least_at = figures(site.least_at, 3),
         band = trimmed(&figures(site.band, 3))
     ));
+    if let Some((softest, layer)) = softest(site) {
+        text.push_str(&say!(
+            language,
+            " Its layers have the moduli and the damping that go with the strain of the record: layer {number} from the surface, the \
+             softest, shears by {strain} and is left with {modulus} of its modulus.",
+            number = softest + 1,
+            strain = percent(layer.strain),
+            modulus = percent(layer.modulus)
+        ));
+    }
     if site.lead > 0.0 {
         text.push_str(&say!(
             language,

@@ -20,6 +20,7 @@ fn site() -> Deconvolved {
         at_rest: 1.94,
         least: 0.731,
         least_at: 6.35,
+        soil: Vec::new(),
     }
 }
 

@@ -3,6 +3,7 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
+use super::Wave;
 use crate::{MaterialFacts, Said, StageSummary, number};
 
 /// What was computed, and how fast.
@@ -82,6 +83,16 @@ pub struct MotionFacts {
     /// How it was deconvolved, where it was.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub deconvolved: Option<Deconvolved>,
+    /// Plane waves at angles that carry it; none where one rises straight up.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub waves: Vec<Wave>,
+    /// By how much these come later than in the record, so that nothing moves before (s).
+    #[serde(skip_serializing_if = "no_lead")]
+    pub lead: f64,
+}
+
+fn no_lead(lead: &f64) -> bool {
+    *lead == 0.0
 }
 
 /// A response spectrum: periods (s), ascending, and the acceleration at each (m/s²).
@@ -114,6 +125,24 @@ pub struct Deconvolved {
     /// The least of the same among what is let through, along the axes that move, and its frequency (Hz).
     pub least: f64,
     pub least_at: f64,
+    /// What layers that soften came to, with the others, from the surface down; empty where none does.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub soil: Vec<SoilLayer>,
+}
+
+/// A layer of soil under the record of its surface.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SoilLayer {
+    /// m
+    pub thickness: f64,
+    /// Of shear waves, with the modulus that it is left with (m/s).
+    pub shear_wave_velocity: f64,
+    /// Largest shear strain in its middle.
+    pub strain: f64,
+    /// Shear modulus over that of small strain, and the ratio to critical damping, of 0.65 of that strain.
+    pub modulus: f64,
+    pub damping: f64,
 }
 
 /// The program and the machine.

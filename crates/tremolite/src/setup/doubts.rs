@@ -114,7 +114,9 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<D
     if let Some(Site::Layers(layers)) = &motion.site {
         let fastest = given.velocity[..2].iter().map(|v| largest(v)).fold(0.0, f64::max);
         let strain = |layer: &case::SiteLayer| fastest / layer.shear_wave_velocity.value;
-        let softest = layers.iter().max_by(|a, b| strain(a).total_cmp(&strain(b)));
+        // What softens has the moduli of its strain, and is refused beyond what that is good for.
+        let linear = layers.iter().filter(|layer| layer.softening.is_none());
+        let softest = linear.max_by(|a, b| strain(a).total_cmp(&strain(b)));
         if let Some(layer) = softest.filter(|layer| strain(layer) > LINEAR) {
             doubts.push(Diagnostic::at(
                 &layer.shear_wave_velocity,
@@ -123,7 +125,8 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<D
                      soil is not at that",
                     100.0 * strain(layer)
                 ),
-                "give velocities and damping ratios that go with the strain, as an equivalent-linear analysis finds them",
+                "give curves of how it softens, `darendeli`, `vucetic_dobry` or `curves`, in place of `damping`; or a velocity and a damping \
+                 ratio that go with the strain",
             ));
         }
         for layer in layers {

@@ -4,7 +4,7 @@ use crate::deconvolution::Place;
 use crate::waves::{Entering, Frame, WaveType};
 use tremolite_case::{self as case, Diagnostic};
 use tremolite_engine::column::corner_name;
-use tremolite_motion::{Intensity, Kind};
+use tremolite_motion::{Complex64, Intensity, Kind};
 
 /// The share of the velocity's energy below what counts as the highest frequency.
 pub const ENERGY_SHARE: f64 = 0.999;
@@ -19,6 +19,8 @@ pub struct MotionFacts {
     pub site: Option<SiteFacts>,
     /// Waves at angles that carry it; none: one that rises straight up.
     pub waves: Vec<WaveFacts>,
+    /// Of the waves that carry all components together: by so much errors of the record may grow in them.
+    pub condition: Option<f64>,
     /// By how much they come later than in the record, so that nothing moves at time 0 \[s\].
     pub lead: f64,
     /// Bytes of the series of waves at angles.
@@ -49,7 +51,10 @@ impl MotionFacts {
                 self.lead,
                 1e-6 * self.series as f64
             );
-            return self.waves.iter().map(WaveFacts::words).chain([lead]).collect();
+            let condition = self.condition.map(|condition| {
+                format!("together they move the place as recorded; condition {condition:.2}: by so much errors of the record may grow in them")
+            });
+            return self.waves.iter().map(WaveFacts::words).chain(condition).chain([lead]).collect();
         }
         match (&self.site, self.factor) {
             (Some(site), _) => site.words(),
@@ -66,15 +71,45 @@ pub struct WaveFacts {
     /// From the vertical, and clockwise from north, as written \[rad\].
     pub angle: f64,
     pub azimuth: f64,
-    /// The component that it carries.
+    /// Its way along x, y, z of the model, and what it moves, of length 1.
+    pub way: [f64; 3],
+    pub polarisation: [f64; 3],
+    /// The component that it carries, or "together".
     pub component: &'static str,
-    /// The wave over that: its size, and by how much it is turned in phase \[rad\], not 0 beyond a critical angle alone.
-    pub factor: f64,
-    pub phase: f64,
+    /// What it is the sum of.
+    pub parts: Vec<CarriedFacts>,
     /// With which the field goes along in plan \[m/s\]; infinite straight up.
     pub apparent_velocity: f64,
     /// Whether it comes at some time; beyond a critical angle something runs ahead of it.
     pub arrives: bool,
+}
+
+/// What a component of the record is times in a wave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CarriedFacts {
+    pub component: &'static str,
+    /// Negative where the wave is opposite.
+    pub factor: f64,
+    /// By how much it is turned in phase \[rad\], not 0 beyond a critical angle alone.
+    pub phase: f64,
+}
+
+impl CarriedFacts {
+    fn of(component: &'static str, factor: Complex64) -> CarriedFacts {
+        match factor.im == 0.0 {
+            true => CarriedFacts { component, factor: factor.re, phase: 0.0 },
+            false => CarriedFacts { component, factor: factor.norm(), phase: factor.arg() },
+        }
+    }
+
+    fn words(&self) -> String {
+        let turned = if self.phase == 0.0 {
+            String::new()
+        } else {
+            format!(" turned by {:.0} deg in phase", self.phase.to_degrees())
+        };
+        format!("{:.3} times '{}'{turned}", self.factor, self.component)
+    }
 }
 
 impl WaveFacts {
@@ -83,9 +118,15 @@ impl WaveFacts {
             kind: wave.heading.kind,
             angle: written.angle.value,
             azimuth: written.azimuth.value,
+            way: wave.heading.way(),
+            polarisation: wave.heading.polarisation(),
             component: written.component.value.word(),
-            factor: wave.factor.norm(),
-            phase: wave.factor.arg(),
+            parts: ["east", "north", "up"]
+                .into_iter()
+                .zip(wave.factors)
+                .filter(|(_, factor)| factor.norm() > 1e-12)
+                .map(|(component, factor)| CarriedFacts::of(component, factor))
+                .collect(),
             apparent_velocity: 1.0 / wave.heading.slowness(&frame.ground.below()),
             arrives: frame.arrives(wave),
         }
@@ -93,7 +134,7 @@ impl WaveFacts {
 
     /// In words, to be read behind the kind.
     pub fn words(&self) -> String {
-        let WaveFacts { kind, component, factor, apparent_velocity, .. } = self;
+        let WaveFacts { kind, apparent_velocity, .. } = self;
         let [angle, azimuth] = [self.angle, self.azimuth].map(|x| (1e6 * x.to_degrees()).round() / 1e6);
         let speed = match apparent_velocity.is_finite() {
             true => format!(", {apparent_velocity:.0} m/s along the ground"),
@@ -102,13 +143,28 @@ impl WaveFacts {
         let ahead = if self.arrives {
             ""
         } else {
-            "; beyond a critical angle, so the field fades in before the wave comes"
+            "; beyond a critical angle, or turned in phase, so the field fades in before the wave comes"
         };
         format!(
-            "{} at {angle} deg towards {azimuth} deg is {factor:.3} times '{component}'{speed}{ahead}",
-            kind.word()
+            "{} at {angle} deg towards {azimuth} deg is {}{speed}{ahead}",
+            kind.word(),
+            self.parts.iter().map(CarriedFacts::words).collect::<Vec<_>>().join(" + ")
         )
     }
+}
+
+/// What a layer of soil came to under a record of its surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoilFacts {
+    /// \[m\]
+    pub thickness: f64,
+    /// Of shear waves, with the modulus that it is left with \[m/s\].
+    pub speed: f64,
+    /// Largest shear strain in its middle.
+    pub strain: f64,
+    /// G/G_max and the ratio to critical damping, of 0.65 of that strain.
+    pub modulus: f64,
+    pub damping: f64,
 }
 
 /// How a motion was deconvolved.
@@ -120,6 +176,8 @@ pub struct SiteFacts {
     pub depth: f64,
     /// The corner of the model whose own ground it is; none for layers of the case.
     pub corner: Option<usize>,
+    /// What layers that soften came to, with the others, from the surface down; empty where none does.
+    pub soil: Vec<SoilFacts>,
     /// By how much it is put off \[s\].
     pub lead: f64,
     /// Up to which frequency the record was wanted \[Hz\].
@@ -148,8 +206,12 @@ impl SiteFacts {
             depth => format!("from {depth:.1} m below the surface of {ground}"),
         };
         let (most, most_at) = self.most;
+        let how = match self.soil.is_empty() {
+            true => "as linear layers",
+            false => "as linear layers of the moduli and the damping that go with its own strain",
+        };
         let mut words = vec![
-            format!("deconvolved {place}, as linear layers"),
+            format!("deconvolved {place}, {how}"),
             format!(
                 "that place moves {:.2} times the incident wave at low frequency, at most {most:.2} times (at {most_at:.2} Hz), at \
                  least {least:.2} times (at {hertz:.2} Hz)",
@@ -157,6 +219,17 @@ impl SiteFacts {
             ),
             format!("the record comes to its place {:.3} s later than in its file", self.lead),
         ];
+        words.extend(self.soil.iter().enumerate().map(|(k, soil)| {
+            format!(
+                "layer {} ({} m) shears by {:.3} %: {:.2} of its modulus, {:.0} m/s, damping ratio {:.3}",
+                k + 1,
+                soil.thickness,
+                100.0 * soil.strain,
+                soil.modulus,
+                soil.speed,
+                soil.damping
+            )
+        }));
         if self.reach.is_finite() {
             words.push(format!(
                 "what it has above {:.2} Hz fades out, since further up too little of the wave moves that place: {:.2} % of the \

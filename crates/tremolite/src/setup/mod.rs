@@ -24,17 +24,20 @@ mod sections;
 mod sides;
 mod site;
 mod soaked;
+mod soil;
 mod stages;
+mod target;
 pub(crate) mod unlikely;
 mod warnings;
 mod water;
 mod wave_sides;
 mod waves;
 
-pub use facts::{MotionFacts, SiteFacts, WaveFacts};
+pub use facts::{CarriedFacts, MotionFacts, SiteFacts, SoilFacts, WaveFacts};
 pub use inputs::{changed, hash, original_folder};
 pub use memory::Inputs;
 pub use page::limits;
+pub use target::of_case as target_of;
 
 use crate::plan::Plan;
 use crate::quantities::Field;
@@ -305,7 +308,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         title: case.title.value.clone(),
         page: page::wish(&case.page),
         boundaries: boundaries(case),
-        target: case.motion.as_ref().and_then(|motion| motion.target.as_ref()).map(page::target),
+        target: target::drawn(case),
         stages: Staged::plan(case),
         duration,
         recorded: recorded.flatten(),

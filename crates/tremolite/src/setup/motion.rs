@@ -3,7 +3,7 @@
 use super::doubts;
 use super::facts::{ENERGY_SHARE, MotionFacts, largest};
 use super::memory::Inputs;
-use super::{records, unlikely};
+use super::{records, target, unlikely};
 use tremolite_case::{self as case, Case, Diagnostic};
 use tremolite_motion::{Intensity, Kind, Motion, Process, highest_frequency};
 
@@ -27,8 +27,14 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
         let (message, remedy) = e.message_and_remedy();
         problems.push(Diagnostic::at(window, message, remedy));
     }
+    let target = target::of_case(case).map_err(|problem| problems.push(problem)).ok().flatten();
     for (step, word) in steps.iter().zip(&motion.process) {
-        if let Err(e) = step.apply(&mut channels.each()) {
+        if let Process::Match { .. } = step {
+            if problems.len() == before {
+                let done = target::matched(motion, target.as_ref(), step, word, &mut channels);
+                problems.extend(done.err());
+            }
+        } else if let Err(e) = step.apply(&mut channels.each()) {
             let (message, remedy) = e.message_and_remedy();
             problems.push(Diagnostic::at(word, message, remedy));
         }
@@ -70,6 +76,7 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
         factor,
         site: None,
         waves: Vec::new(),
+        condition: None,
         lead: 0.0,
         series: 0,
         incident_peak: made.acceleration.each_ref().map(|a| factor.unwrap_or(1.0) * largest(a)),

@@ -1,7 +1,7 @@
 //! What a case says of its page, as the summary carries it.
 
-use tremolite_case::{self as case, Limits, Page};
-use tremolite_results::{PageWish, TargetSpectrum};
+use tremolite_case::{Limits, Page};
+use tremolite_results::PageWish;
 
 /// What is to be handed to the report.
 pub fn wish(page: &Page) -> PageWish {
@@ -14,11 +14,6 @@ pub fn wish(page: &Page) -> PageWish {
         signed: signed.filter_map(|(role, name)| Some((role.to_owned(), name.clone()?))).collect(),
         limits: limits(&page.limits).into_iter().collect(),
     }
-}
-
-/// The spectrum that the design calls for.
-pub fn target(target: &case::TargetSpectrum) -> TargetSpectrum {
-    TargetSpectrum { period: target.period.clone(), sa: target.sa.clone() }
 }
 
 /// Limits by the names that a summary has for them.

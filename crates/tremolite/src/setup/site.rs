@@ -1,12 +1,13 @@
 //! From the motion of a case to the wave that comes in: times a factor, or deconvolved through the ground it was recorded on.
 
 use super::doubts;
-use super::facts::{ENERGY_SHARE, MotionFacts, SiteFacts, largest};
+use super::facts::{ENERGY_SHARE, MotionFacts, SiteFacts, SoilFacts, largest};
 use super::motion::beyond_any_earthquake;
+use super::soil;
 use crate::deconvolution::{Deconvolved, LEAST, Notch, Place};
 use crate::layered_column::{Layer, LayeredColumn};
 use crate::plan::Recorded;
-use tremolite_case::{self as case, Diagnostic, Site, SiteLayer};
+use tremolite_case::{self as case, Diagnostic, Site, SiteLayer, Softening};
 use tremolite_engine::column::{Ground, corner_name};
 use tremolite_engine::problem::Rayleigh;
 use tremolite_engine::{Body, Incident, Top};
@@ -74,12 +75,12 @@ fn deconvolved(
     facts: &MotionFacts,
     around: &Around,
 ) -> Result<(Motion, Motion, SiteFacts), Diagnostic> {
-    let (place, corner) = place(motion, around)?;
     let band = match facts.lowpass {
         Some(corner) => corner,
         None => frequency_below(&given.acceleration, given.dt, ENERGY_SHARE).unwrap_or(0.0),
     };
     let band = band.min(0.5 / given.dt);
+    let Taken { place, corner, soil } = place(motion, around, &soil::Recorded { motion: given, band })?;
     let found = place
         .deconvolved(&given.acceleration, given.dt, band)
         .map_err(|(axis, notch)| refused(motion, facts, axis, &notch, band))?;
@@ -98,6 +99,7 @@ fn deconvolved(
     let site = SiteFacts {
         depth: motion.depth.as_ref().map_or(0.0, |depth| depth.value),
         corner,
+        soil,
         lead: lead as f64 * given.dt,
         band,
         reach,
@@ -138,8 +140,16 @@ fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notc
     )
 }
 
-/// Where the record was taken, and the corner of the model whose ground that is.
-fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>), Diagnostic> {
+/// Where a record was taken.
+struct Taken {
+    place: Place,
+    /// The corner of the model whose ground that is.
+    corner: Option<usize>,
+    /// What layers that soften came to.
+    soil: Vec<SoilFacts>,
+}
+
+fn place(motion: &case::Motion, around: &Around, recorded: &soil::Recorded) -> Result<Taken, Diagnostic> {
     let refuse = |message: String, remedy: &str| Diagnostic::at(&motion.kind, message, remedy);
     let kind = motion.kind.value.word();
     let grounds = around.grounds.as_ref().map_err(|reason| {
@@ -178,12 +188,19 @@ fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>
         let thickness: f64 = given.iter().map(|layer| layer.thickness.value).sum();
         // A place below the layers lies in rock of the base.
         let below = (depth - thickness).max(0.0);
-        let layers = |axis: usize| -> Vec<Layer> {
-            let base = base(0, axis).map(|layer| Layer { thickness: below, ..layer });
-            base.into_iter().chain(given.iter().rev().map(|layer| of_site(layer, axis))).collect()
+        let made = |soil: &[SoilFacts]| {
+            let layers = |axis: usize| -> Vec<Layer> {
+                let base = base(0, axis).map(|layer| Layer { thickness: below, ..layer });
+                let own = given.iter().enumerate().rev();
+                base.into_iter().chain(own.map(|(k, layer)| of_site(layer, soil.get(k), axis))).collect()
+            };
+            Some(Place { columns: columns(&layers)?, height: thickness + below - depth })
         };
-        let columns = columns(&layers).ok_or_else(none)?;
-        return Ok((Place { columns, height: thickness + below - depth }, None));
+        let soil = match base(0, 0).filter(|_| soil::softens(given)) {
+            Some(rock) => soil::fitted(motion, given, &rock, recorded, &made)?,
+            None => Vec::new(),
+        };
+        return Ok(Taken { place: made(&soil).ok_or_else(none)?, corner: None, soil });
     }
     if around.top != Top::Free || around.overburden {
         return Err(refuse(
@@ -225,18 +242,25 @@ fn place(motion: &case::Motion, around: &Around) -> Result<(Place, Option<usize>
             "make the model deeper, or describe the ground in motion.site.layers",
         ));
     }
-    Ok((Place { columns, height: height.max(0.0) }, Some(corner)))
+    Ok(Taken { place: Place { columns, height: height.max(0.0) }, corner: Some(corner), soil: Vec::new() })
 }
 
-/// A layer of a case as waves along an axis see it.
-fn of_site(layer: &SiteLayer, axis: usize) -> Layer {
+/// A layer of a case as waves along an axis see it; with the modulus and the damping that it came to where layers soften, waves of
+/// compression by the same share of the modulus.
+fn of_site(layer: &SiteLayer, soil: Option<&SoilFacts>, axis: usize) -> Layer {
+    let own = if axis == 2 { layer.compression_wave_velocity() } else { layer.shear_wave_velocity.value };
+    let small = match layer.softening {
+        Softening::None(ref damping) => damping.value,
+        _ => 0.0,
+    };
+    let (modulus, damping) = soil.map_or((1.0, small), |soil| (soil.modulus, soil.damping));
     Layer {
         thickness: layer.thickness.value,
         density: layer.density.value,
-        speed: if axis == 2 { layer.compression_wave_velocity() } else { layer.shear_wave_velocity.value },
+        speed: own * modulus.sqrt(),
         band: None,
         rayleigh: Rayleigh::default(),
-        damping: layer.damping.value,
+        damping,
     }
 }
 

@@ -174,7 +174,7 @@ fn halved_twice(motion: &case::Motion) -> Option<case::Diagnostic> {
     for step in &motion.process {
         match Process::parse(&step.value) {
             Ok(Process::Scale(factor)) => (whole, word) = (whole * factor.abs(), Some(step)),
-            Ok(Process::PeakAcceleration { .. }) => (whole, word) = (1.0, None),
+            Ok(Process::PeakAcceleration { .. } | Process::Match { .. }) => (whole, word) = (1.0, None),
             _ => {}
         }
     }

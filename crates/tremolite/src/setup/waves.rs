@@ -3,15 +3,18 @@
 use super::facts::{MotionFacts, WaveFacts, largest};
 use super::site::Around;
 use crate::plan::PlannedWaves;
+use crate::waves::resolved::{column, resolve};
 use crate::waves::surface::coefficients;
 use crate::waves::{Entering, Frame, Heading, LayeredGround, ObliqueField, Rock, Stratum, WaveType};
 use std::sync::Arc;
-use tremolite_case::{self as case, Case, Diagnostic, SurfacePart, WaveWord};
+use tremolite_case::{self as case, Case, Diagnostic, SurfacePart, WaveComponent, WaveWord};
 use tremolite_engine::column::{Ground, corner_name};
 use tremolite_motion::{Complex64, Motion};
 
 /// The part of a surface's motion over the wave's below which that tells nothing of the wave: a twentieth of what it is straight up.
 const LEAST: f64 = 0.1;
+/// Of a sum of three products, over the largest.
+const ROUND_OFF: f64 = 1e-12;
 /// A component of a direction that counts as none.
 const STILL: f64 = 1e-9;
 
@@ -128,6 +131,61 @@ fn ground(motion: &case::Motion, around: &Around) -> Result<LayeredGround, Diagn
     Ok(first)
 }
 
+/// What the waves of a motion are of its components, by wave, and the condition of that where they carry all together.
+fn factors(motion: &case::Motion, base: &Rock) -> Result<(Vec<[Complex64; 3]>, Option<f64>), Diagnostic> {
+    if motion.waves.iter().any(|wave| wave.component.value == WaveComponent::Together) {
+        let (factors, condition) = together(motion, base)?;
+        return Ok((factors.to_vec(), Some(condition)));
+    }
+    let of = |wave: &case::Wave| {
+        let mut factors = [Complex64::default(); 3];
+        factors[wave.component.value as usize] = factor(motion, wave, base)?;
+        Ok(factors)
+    };
+    Ok((motion.waves.iter().map(of).collect::<Result<_, _>>()?, None))
+}
+
+/// The same of a P, an SV and an SH wave that together move a place as it is recorded, and the condition of it.
+fn together(motion: &case::Motion, base: &Rock) -> Result<([[Complex64; 3]; 3], f64), Diagnostic> {
+    // Along east and north.
+    let headings = motion.waves.iter().map(|wave| heading(wave, std::f64::consts::FRAC_PI_2));
+    let columns: Vec<[Complex64; 3]> = headings
+        .map(|heading| match motion.kind.value {
+            case::MotionKind::Outcrop => column(&heading, coefficients(heading.kind, heading.angle, base)),
+            _ => heading.polarisation().map(Complex64::from),
+        })
+        .collect();
+    let refuse = |message: String| {
+        Diagnostic::at(
+            &motion.waves[0].component,
+            message,
+            "choose other angles or azimuths, or give each wave a component of its own",
+        )
+    };
+    let columns = <[[Complex64; 3]; 3]>::try_from(columns)
+        .map_err(|_| refuse("a P, an SV and an SH wave carry a record together".into()))?;
+    let found = resolve(columns)
+        .ok_or_else(|| refuse("these three waves do not move a place in three directions, so that they cannot carry a record together".into()))?;
+    if found.least < LEAST {
+        return Err(refuse(format!(
+            "some motion of the place takes waves {:.0} times as large as it is (condition {:.0}), so what is recorded there tells little of \
+             these waves",
+            1.0 / found.least,
+            found.condition
+        )));
+    }
+    let mut factors = found.factors;
+    for (row, wave) in factors.iter_mut().zip(&motion.waves) {
+        let most = row.iter().map(|factor| factor.norm()).fold(0.0, f64::max);
+        for factor in row {
+            // Round-off turns nothing in phase.
+            let im = if factor.im.abs() < ROUND_OFF * most { 0.0 } else { factor.im };
+            *factor = Complex64::new(factor.re, im) * wave.scale.value;
+        }
+    }
+    Ok((factors, found.condition))
+}
+
 /// What the component of a wave is times: its scale, over what of the wave a surface of bare rock shows.
 fn factor(motion: &case::Motion, wave: &case::Wave, base: &Rock) -> Result<Complex64, Diagnostic> {
     let scale = wave.scale.value;
@@ -191,22 +249,18 @@ fn field(
     let base = ground.below();
     let azimuth = written.model_x_azimuth.value;
     let motion = Arc::new(geographic(given, azimuth));
+    let (factors, condition) = factors(written, &base)?;
     let mut waves = Vec::with_capacity(written.waves.len());
-    for wave in &written.waves {
-        let component = wave.component.value as usize;
-        if largest(&motion.acceleration[component]) == 0.0 || wave.scale.value == 0.0 {
+    for (wave, factors) in written.waves.iter().zip(factors) {
+        let carries = |(factor, a): (&Complex64, &Vec<f64>)| factor.norm() * largest(a) > 0.0;
+        if !factors.iter().zip(&motion.acceleration).any(carries) {
             return Err(Diagnostic::new(
                 wave.span.clone(),
                 "this wave carries nothing: its component of the motion, or its scale, is zero",
                 "leave the wave out, or name the component that it is to carry",
             ));
         }
-        waves.push(Entering {
-            heading: heading(wave, azimuth),
-            motion: motion.clone(),
-            component,
-            factor: factor(written, wave, &base)?,
-        });
+        waves.push(Entering { heading: heading(wave, azimuth), motion: motion.clone(), factors });
     }
     let centre = [0, 1].map(|i| 0.5 * (bounds[0][i] + bounds[1][i]));
     let frame = Frame {
@@ -228,7 +282,8 @@ fn field(
     })?;
     let mut peak = [0.0; 3];
     for wave in &waves {
-        let most = wave.factor.norm() * largest(&motion.acceleration[wave.component]);
+        let most: f64 =
+            wave.factors.iter().zip(&motion.acceleration).map(|(f, a)| f.norm() * largest(a)).sum();
         let moves = wave.heading.polarisation();
         (0..3).for_each(|i| peak[i] += most * moves[i].abs());
     }
@@ -240,6 +295,7 @@ fn field(
         .zip(&written.waves)
         .map(|(wave, written)| WaveFacts::of(wave, written, &frame))
         .collect();
+    facts.condition = condition;
     facts.lead = field.lead();
     facts.series = field.bytes();
     Ok(PlannedWaves::new(field, frame, waves, given))

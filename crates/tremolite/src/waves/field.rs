@@ -1,9 +1,12 @@
 //! The free field of one or several plane waves, at every place of a model's boundaries.
 
+use super::answered::{Signal, components};
+use super::grid::Grid;
 use super::ground::LayeredGround;
 use super::heading::{Heading, WaveType};
-use super::series::{Grid, Rings, Series, Signal, arrives, bytes};
-use std::sync::Arc;
+use super::heights::{self, AtHeights, find};
+use super::series::{Rings, Series, arrives, bytes};
+use std::sync::{Arc, OnceLock};
 use tremolite_engine::free_field::GivenField;
 use tremolite_motion::{Complex64, Motion};
 
@@ -11,10 +14,29 @@ use tremolite_motion::{Complex64, Motion};
 #[derive(Clone)]
 pub struct Entering {
     pub heading: Heading,
-    /// The record that it carries, which of its components, and what they are times: for a wave of e^(iωt), ω > 0.
+    /// The record that it carries.
     pub motion: Arc<Motion>,
-    pub component: usize,
-    pub factor: Complex64,
+    /// What each of the record's components is times in it, the sum of which it is: for a wave of e^(iωt), ω > 0.
+    pub factors: [Complex64; 3],
+}
+
+impl Entering {
+    /// A wave that carries one of the components of a record.
+    pub fn of(heading: Heading, motion: Arc<Motion>, component: usize, factor: Complex64) -> Entering {
+        let mut factors = [Complex64::default(); 3];
+        factors[component] = factor;
+        Entering { heading, motion, factors }
+    }
+
+    /// Whether any component is turned in phase.
+    pub fn turns(&self) -> bool {
+        self.factors.iter().any(|factor| factor.im != 0.0)
+    }
+
+    /// The sum of the components times what `part` takes of their factors.
+    pub fn sum(&self, components: [f64; 3], part: fn(&Complex64) -> f64) -> f64 {
+        self.factors.iter().zip(components).map(|(factor, x)| part(factor) * x).sum()
+    }
 }
 
 /// What all waves come through.
@@ -52,8 +74,23 @@ pub struct ObliqueField {
     waves: Vec<OneWave>,
     at: [f64; 2],
     base: f64,
+    /// Of the ground \[m\].
+    height: f64,
     lead: f64,
+    prepared: OnceLock<Prepared>,
 }
+
+/// What is at hand for the heights that a model asks for.
+struct Prepared {
+    /// Above the base \[m\], rising: where displacements are asked for, and where stresses are.
+    nodes: Vec<f64>,
+    points: Vec<f64>,
+    /// Of each wave both.
+    waves: Vec<[AtHeights; 2]>,
+}
+
+/// Memory for the heights of a model over that of the series: more is left to the series alone.
+const MOST_PREPARED: usize = 2;
 
 impl Frame {
     /// The later a wave comes to the corners than to the reference point, least and most \[s\].
@@ -86,7 +123,7 @@ impl Frame {
 
     /// Whether a wave comes at some time, and not from ever on.
     pub fn arrives(&self, wave: &Entering) -> bool {
-        arrives(&self.ground, &wave.heading)
+        arrives(&self.ground, &wave.heading) && !wave.turns()
     }
 }
 
@@ -99,11 +136,11 @@ impl ObliqueField {
         let mut lead = 0.0_f64;
         let mut all = Vec::with_capacity(waves.len());
         for (k, wave) in waves.iter().enumerate() {
-            let component = wave.component;
-            let displacement = |t: f64| wave.motion.at(t).u[component];
+            let displacement = |t: f64| wave.sum(wave.motion.at(t).u, |factor| factor.re);
+            let turned = |t: f64| wave.sum(wave.motion.at(t).u, |factor| factor.im);
             let signal = Signal {
                 displacement: &displacement,
-                factor: wave.factor,
+                turned: if wave.turns() { Some(&turned) } else { None },
                 frequency: frame.frequency,
                 until: frame.until(wave),
             };
@@ -113,7 +150,8 @@ impl ObliqueField {
             let p = wave.heading.slowness(&frame.ground.below());
             all.push(OneWave { heading: wave.heading, slowness: wave.heading.along.map(|h| p * h), series });
         }
-        Ok(ObliqueField { waves: all, at: frame.at, base: frame.bounds[0][2], lead })
+        let (base, height) = (frame.bounds[0][2], frame.ground.height());
+        Ok(ObliqueField { waves: all, at: frame.at, base, height, lead, prepared: OnceLock::new() })
     }
 
     /// By how much the field is later than the records \[s\], so that nothing moves at time 0.
@@ -123,7 +161,9 @@ impl ObliqueField {
 
     /// What the series take of memory.
     pub fn bytes(&self) -> usize {
-        self.waves.iter().map(|wave| wave.series.bytes()).sum()
+        let prepared = self.prepared.get().into_iter().flat_map(|prepared| prepared.waves.iter().flatten());
+        self.waves.iter().map(|wave| wave.series.bytes()).sum::<usize>()
+            + prepared.map(AtHeights::bytes).sum::<usize>()
     }
 
     /// Time on that of a wave's series.
@@ -137,14 +177,22 @@ impl GivenField for ObliqueField {
     fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
         let mut out = [0.0; 3];
         let height = at[2] - self.base;
-        for wave in &self.waves {
+        let ready =
+            self.prepared.get().and_then(|ready| Some((ready, find(&ready.nodes, height, self.height)?)));
+        for (k, wave) in self.waves.iter().enumerate() {
             let (time, [hx, hy]) = (self.time(wave, at, time), wave.heading.along);
             if wave.heading.kind == WaveType::Sh {
-                let [u] = wave.series.displacement(height, time);
+                let [u] = match ready {
+                    Some((ready, number)) => ready.waves[k][0].at(number, time),
+                    None => wave.series.displacement(height, time),
+                };
                 out[0] -= hy * u;
                 out[1] += hx * u;
             } else {
-                let [along, up] = wave.series.displacement(height, time);
+                let [along, up] = match ready {
+                    Some((ready, number)) => ready.waves[k][0].at(number, time),
+                    None => wave.series.displacement(height, time),
+                };
                 out[0] += hx * along;
                 out[1] += hy * along;
                 out[2] += up;
@@ -156,20 +204,54 @@ impl GivenField for ObliqueField {
     fn stress(&self, at: [f64; 3], time: f64) -> [f64; 6] {
         let mut out = [0.0; 6];
         let height = at[2] - self.base;
-        for wave in &self.waves {
+        let ready =
+            self.prepared.get().and_then(|ready| Some((ready, find(&ready.points, height, self.height)?)));
+        for (k, wave) in self.waves.iter().enumerate() {
             let (time, [x, y]) = (self.time(wave, at, time), wave.heading.along);
             let own = if wave.heading.kind == WaveType::Sh {
                 // t = (−y, x).
-                let [along, up] = wave.series.stress(height, time);
+                let [along, up] = match ready {
+                    Some((ready, number)) => ready.waves[k][1].at(number, time),
+                    None => wave.series.stress(height, time),
+                };
                 let twice = 2.0 * x * y * along;
                 [-twice, twice, 0.0, (x * x - y * y) * along, x * up, -y * up]
             } else {
-                let [hh, tt, zz, hz] = wave.series.stress(height, time);
+                let [hh, tt, zz, hz] = match ready {
+                    Some((ready, number)) => ready.waves[k][1].at(number, time),
+                    None => wave.series.stress(height, time),
+                };
                 [x * x * hh + y * y * tt, y * y * hh + x * x * tt, zz, x * y * (hh - tt), y * hz, x * hz]
             };
             out.iter_mut().zip(own).for_each(|(sum, s)| *sum += s);
         }
         out
+    }
+
+    fn prepare(&self, nodes: &[f64], points: &[f64]) {
+        let above = |heights: &[f64]| -> Vec<f64> {
+            let mut all: Vec<f64> = heights.iter().map(|z| z - self.base).collect();
+            all.sort_by(f64::total_cmp);
+            all.dedup_by(|a, b| *a - *b <= 1e-9 * self.height);
+            all
+        };
+        let (nodes, points) = (above(nodes), above(points));
+        let takes = |wave: &OneWave| {
+            let [moved, pulled] = components(wave.heading.kind);
+            let samples = wave.series.samples();
+            heights::bytes(nodes.len(), samples, moved) + heights::bytes(points.len(), samples, pulled)
+        };
+        if self.waves.iter().any(|wave| takes(wave) > MOST_PREPARED * wave.series.bytes()) {
+            return;
+        }
+        self.prepared.get_or_init(|| {
+            let of = |wave: &OneWave| {
+                [(&nodes, false), (&points, true)]
+                    .map(|(heights, stresses)| AtHeights::of(&wave.series, heights, stresses))
+            };
+            let waves = self.waves.iter().map(of).collect();
+            Prepared { nodes, points, waves }
+        });
     }
 
     fn peak_velocity(&self) -> f64 {

@@ -260,6 +260,7 @@ fn told(problem: Problem) -> Summary {
         factor: Some(0.5),
         site: None,
         waves: Vec::new(),
+        condition: None,
         lead: 0.0,
         series: 0,
         incident_peak: [0.0; 3],

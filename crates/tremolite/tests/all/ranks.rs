@@ -71,7 +71,7 @@ fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
 }
 
 /// A model, what is done with it, and observers of a program's own.
-struct Case {
+pub struct Case {
     built: Built,
     plan: Plan,
     own: fn() -> OwnObservers,
@@ -83,7 +83,7 @@ impl Case {
         Case::of(Ready::new(problem), plan)
     }
 
-    fn of(Ready { model, assembly, phase }: Ready, plan: Plan) -> Self {
+    pub fn of(Ready { model, assembly, phase }: Ready, plan: Plan) -> Self {
         Case { built: Built::of(&model, &assembly, &phase), plan, own: Vec::new }
     }
 
@@ -141,7 +141,7 @@ impl Case {
     }
 
     /// The files of one process, from several.
-    fn holds(&self, what: &str, ways: &[How]) -> Vec<Took> {
+    pub fn holds(&self, what: &str, ways: &[How]) -> Vec<Took> {
         let whole = self.alone();
         assert!(whole.0.len() > 8, "{what}: {:?}", whole.0.keys());
         let mut last = Vec::new();
@@ -157,13 +157,13 @@ impl Case {
 
 /// Ranks, threads of each, and whether patches are dealt out one by one.
 #[derive(Clone, Copy, Debug)]
-struct How {
+pub struct How {
     ranks: u32,
     threads: usize,
     scattered: bool,
 }
 
-const fn how(ranks: u32, threads: usize, scattered: bool) -> How {
+pub const fn how(ranks: u32, threads: usize, scattered: bool) -> How {
     How { ranks, threads, scattered }
 }
 

@@ -180,6 +180,68 @@ fn check_says_what_waves_are_over_the_component_and_by_how_much_they_are_late() 
     }
 }
 
+/// One P, one SV and one SH wave at their angles with all components of a record.
+fn together(kind: &str, angles: [&str; 3], azimuths: [&str; 3]) -> String {
+    let of = |k: usize| [["P", "SV", "SH"][k], angles[k], azimuths[k]];
+    let waves: Vec<[&str; 3]> = (0..3).map(of).collect();
+    let waves: Vec<(&str, &str, &str)> = waves.iter().map(|[a, b, c]| (*a, *b, *c)).collect();
+    let text = with_waves(&waves).replace("component = \"east\"", "component = \"together\"");
+    let north = "north = { from = \"east\", factor = -0.7 }\nup = { from";
+    text.replace("up = { from", north).replace("kind = \"incident\"", &format!("kind = \"{kind}\""))
+}
+
+/// The bare rock of the base moves as recorded at the waves' common place; SV at 50° is beyond critical.
+#[test]
+fn a_p_an_sv_and_an_sh_wave_make_a_record_of_three_components_together() {
+    for (kind, angles, azimuths, turned) in [
+        ("outcrop", ["20", "25", "30"], ["30", "30", "30"], false),
+        ("outcrop", ["10", "20", "40"], ["0", "75", "200"], false),
+        ("outcrop", ["20", "50", "30"], ["30", "30", "30"], true),
+        ("incident", ["10", "20", "40"], ["0", "75", "200"], false),
+    ] {
+        let made = job(&together(kind, angles, azimuths));
+        let said = made.motion.as_ref().unwrap().entering().join("\n");
+        assert!(said.contains("condition") && said.matches(" times 'north'").count() >= 2, "{said}");
+        assert_eq!(said.contains("in phase"), turned, "{said}");
+        let planned = made.plan.waves.as_ref().unwrap();
+        // A film of rock with a free surface, or in full space.
+        let (film, top) = (1e-3, if kind == "outcrop" { Top::Free } else { Top::Viscous });
+        let stratum = Stratum { thickness: film, ..planned.frame.ground.strata()[0] };
+        let frame = Frame {
+            ground: LayeredGround::new([stratum], top).unwrap(),
+            bounds: [[0.0; 3], [40.0, 30.0, film]],
+            ..planned.frame.clone()
+        };
+        let field = ObliqueField::new(&frame, &planned.waves).unwrap();
+        // x is east and y north.
+        let record = &planned.waves[0].motion;
+        let [at_x, at_y] = frame.at;
+        let (mut worst, mut peak) = (0.0_f64, 0.0_f64);
+        for k in 0..100 {
+            let t = 0.004 * f64::from(k);
+            let found = field.displacement([at_x, at_y, film], t + field.lead());
+            for (found, given) in found.into_iter().zip(record.at(t).u) {
+                worst = worst.max((found - given).abs());
+                peak = peak.max(given.abs());
+            }
+        }
+        assert!(worst < 2e-3 * peak, "{kind} {angles:?}: {}", worst / peak);
+    }
+}
+
+#[test]
+fn waves_that_cannot_carry_a_record_together_are_refused() {
+    let [near, far] = [["20", "25", "30"], ["30", "30", "30"]];
+    let good = together("outcrop", near, far);
+    let two = good.replacen("type = \"SH\"", "type = \"SV\"", 1);
+    assert!(refused(&two).contains("as one P, one SV and one SH wave"), "{}", refused(&two));
+    let own = good.replacen("component = \"together\"", "component = \"east\"", 1);
+    assert!(refused(&own).contains("as one P, one SV and one SH wave"));
+    // P nearly along the ground and SV straight up move it alike.
+    let level = together("incident", ["89", "0", "30"], ["30", "30", "30"]);
+    assert!(refused(&level).contains("condition"), "{}", refused(&level));
+}
+
 /// A run's summary, monitors.csv and free_field.csv.
 fn run(text: &str) -> (Summary, Table, Table) {
     let parent = tempfile::tempdir().unwrap();
@@ -263,11 +325,8 @@ pub fn two_waves(size: [f64; 3], body: &tremolite::Body, top: Top) -> ObliqueFie
     let ground = LayeredGround::new([Stratum { thickness: size[2], rock }], top).unwrap();
     let pulse = ricker_velocity(8.0, 0.2, 0.1);
     let motion = Arc::new(Motion::sampled(0.002, 0.5, |t| pulse(t).along([1.0, 0.0, 0.0])).unwrap());
-    let wave = |kind, angle: f64, along| Entering {
-        heading: Heading { kind, angle, along },
-        motion: motion.clone(),
-        component: 0,
-        factor: Complex64::from(1.0),
+    let wave = |kind, angle: f64, along| {
+        Entering::of(Heading { kind, angle, along }, motion.clone(), 0, Complex64::from(1.0))
     };
     let frame = Frame {
         ground,

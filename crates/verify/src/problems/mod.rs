@@ -55,6 +55,8 @@ problems! {
     cavity_sines Test,
     lined_cavity_sines Verify,
     cavity_step Verify,
+    oblique_cavity Verify,
+    canyon Verify,
     macneal_harder_beam Test,
     cantilever_thin Test,
     thick_cylinder Test,

@@ -1,6 +1,6 @@
 //! A step of stress as a sum of steady waves.
 
-use super::{Cavity, Place};
+use super::{Cavity, Incoming, Place};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -18,7 +18,7 @@ impl Cavity {
         let lines = (6.0 * period / rise) as usize;
         let fundamental = TAU / period;
         // All but static: (ka)² ln ka off; far below, potentials of P and S in a liner can no more be told from each other.
-        let still = self.scatter(0.1 * fundamental).hoops(places);
+        let still = self.scatter(Incoming::P, 0.1 * fundamental).hoops(places);
         let mut sums: Vec<Vec<f64>> = vec![vec![0.0; times.len() + 1]; places.len()];
         // The time before anything comes is the last.
         let before = -4.0 * delay;
@@ -31,7 +31,7 @@ impl Cavity {
             let bell = if (square - 1.0).abs() < 1e-9 { 0.5 } else { half.sin() / half / (1.0 - square) };
             let pulse = Complex64::from_polar(bell, half + omega * delay) * 2.0 / period / (-I * omega);
             let turns: Vec<Complex64> = all().map(|t| Complex64::from_polar(1.0, -omega * t)).collect();
-            for (sum, hoop) in sums.iter_mut().zip(self.scatter(omega).hoops(places)) {
+            for (sum, hoop) in sums.iter_mut().zip(self.scatter(Incoming::P, omega).hoops(places)) {
                 let line = hoop * pulse;
                 sum.iter_mut().zip(&turns).for_each(|(sum, turn)| *sum += (line * turn).re);
             }

@@ -6,16 +6,20 @@ use super::measures::{Measures, figures as number, less_mean, seconds};
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
 use std::path::PathBuf;
-use tremolite_motion::{Channel, Process, align, write_text};
+use tremolite_motion::{Channel, Process, TargetSpectrum, align, write_text};
 
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
     files: Files,
     /// A step, in order: "detrend linear", "pre-event 5 s", "taper 1 s", "bandpass 0.1 Hz 20 Hz", "pga 0.3 g" (the
-    /// largest component, the others by the same factor), "baseline" …; without a step it is only looked at
+    /// largest component, the others by the same factor), "baseline", "match 0.1 s 2 s" …; without a step it is only looked at
     #[arg(long = "step")]
     steps: Vec<String>,
+    /// What a step "match" is to fit: "EN 1998-1 type 1 ground B 2 m/s2", or a CSV file with the columns `period [s]` and `sa [m/s2]` or
+    /// `sa [g]`
+    #[arg(long)]
+    target: Option<String>,
     /// Keep this part of the record only: from and to in s
     #[arg(long, num_args = 2, value_names = ["FROM", "TO"])]
     window: Option<Vec<f64>>,
@@ -30,6 +34,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Outcome {
     let steps: Vec<Process> =
         args.steps.iter().map(|s| Process::parse(s)).collect::<Result<_, _>>().map_err(Failure::input)?;
+    let target = args.target.as_deref().map(TargetSpectrum::parse).transpose().map_err(Failure::input)?;
     let mut before = args.files.of_accelerometers()?;
     align(&mut before.iter_mut().collect::<Vec<_>>());
     belong_together(&before)?;
@@ -54,7 +59,8 @@ pub fn run(args: &Args) -> Outcome {
     let mut factors = Vec::new();
     for step in &steps {
         let old = largest(&after);
-        step.apply(&mut after.iter_mut().collect::<Vec<_>>()).map_err(Failure::input)?;
+        step.apply_towards(&mut after.iter_mut().collect::<Vec<_>>(), target.as_ref())
+            .map_err(Failure::input)?;
         if matches!(step, Process::PeakAcceleration { .. }) {
             factors.push((step.to_string(), largest(&after) / old));
         }

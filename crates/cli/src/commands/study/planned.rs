@@ -3,7 +3,7 @@
 use crate::commands::infos;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
-use tremolite::setup::{hash, motion_of};
+use tremolite::setup::{hash, motion_of, target_of};
 use tremolite_case::study::StudyFile;
 use tremolite_case::{Case, Diagnostic, Language, Laws, Report};
 use tremolite_motion::TargetSpectrum;
@@ -120,15 +120,16 @@ impl Maker<'_> {
                 return None;
             }
         };
-        let of_case = || case.motion.as_ref()?.target.as_ref().map(prepare::target_of_case);
-        let target = match self.target.clone().map(Ok).or_else(of_case).transpose() {
-            Ok(target) => target,
-            Err(e) => {
-                let (message, remedy) = e.message_and_remedy();
-                let message = format!("[motion.target] of the case: {message}");
-                self.problems.push(Diagnostic::new(self.place(record), message, remedy));
-                return None;
-            }
+        let target = match self.target.clone() {
+            Some(target) => Some(target),
+            None => match target_of(case) {
+                Ok(target) => target,
+                Err(problem) => {
+                    let message = format!("[motion.target] of the case: {}", problem.message);
+                    self.problems.push(Diagnostic::new(self.place(record), message, problem.remedy));
+                    return None;
+                }
+            },
         };
         let mut found = Vec::new();
         for measure in &self.plan.intensities {

@@ -1,7 +1,7 @@
 //! What is said of a case, as one JSON object. Numbers are in SI.
 
 use super::Checked;
-use crate::setup::{SiteFacts, WaveFacts};
+use crate::setup::{SiteFacts, SoilFacts, WaveFacts};
 use serde_json::{Map, Value, json};
 use tremolite_case::{Diagnostic, Mesh};
 use tremolite_engine::column::corner_name;
@@ -30,6 +30,7 @@ impl Checked<'_> {
                 "kind": motion.kind.to_string(),
                 "incident_factor": motion.factor,
                 "waves": motion.waves.iter().map(wave).collect::<Vec<_>>(),
+                "condition": motion.condition,
                 "lead": (!motion.waves.is_empty()).then_some(motion.lead),
                 "deconvolved": motion.site.as_ref().map(deconvolved),
                 "peaks": peaks,
@@ -121,8 +122,9 @@ fn wave(wave: &WaveFacts) -> Value {
         "angle": wave.angle,
         "azimuth": wave.azimuth,
         "component": wave.component,
-        "factor": wave.factor,
-        "phase": wave.phase,
+        "parts": wave.parts.iter().map(|part| json!({
+            "component": part.component, "factor": part.factor, "phase": part.phase,
+        })).collect::<Vec<_>>(),
         "apparent_velocity": wave.apparent_velocity.is_finite().then_some(wave.apparent_velocity),
         "arrives": wave.arrives,
     })
@@ -139,5 +141,17 @@ fn deconvolved(site: &SiteFacts) -> Value {
         "at_rest": site.at_rest,
         "least": site.least.0,
         "least_at": site.least.1,
+        "soil": site.soil.iter().map(soil).collect::<Vec<_>>(),
+    })
+}
+
+/// What a layer that softens, or one beside such, came to.
+fn soil(layer: &SoilFacts) -> Value {
+    json!({
+        "thickness": layer.thickness,
+        "shear_wave_velocity": layer.speed,
+        "strain": layer.strain,
+        "modulus": layer.modulus,
+        "damping": layer.damping,
     })
 }
