@@ -30,8 +30,9 @@ const MOST: u32 = 12;
 /// The rows of the page's table: shares of the machines' time that are used, without and with what the first rank does for rows.
 pub fn rows() -> Vec<String> {
     let row = |name: &str, of: &dyn Fn(u32, bool) -> f64| {
-        let cell =
-            |machines: u32| [false, true].map(|rows| format!("{:.0}", 100.0 * of(machines, rows))).join(" / ");
+        let cell = |machines: u32| {
+            [false, true].map(|rows| format!("{:.0}", 100.0 * of(machines, rows))).join(" / ")
+        };
         let cells: Vec<String> = [4, 16, 64, 256, 1024].map(cell).into();
         format!("| {name} | {} |", cells.join(" | "))
     };

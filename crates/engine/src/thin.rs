@@ -19,8 +19,7 @@ const THIN: usize = 3;
 pub fn join_across(model: &Model, classes: &mut Ties) {
     let mesh = &model.mesh;
     let bends = |body: &&crate::Body| !matches!(body.quadrature, Quadrature::OnePoint);
-    let elements: Vec<u32> =
-        model.bodies.iter().filter(bends).flat_map(|body| model.lasting(body)).collect();
+    let elements: Vec<u32> = model.bodies.iter().filter(bends).flat_map(|body| model.lasting(body)).collect();
     let mut sharing: HashMap<[u32; 4], Vec<Face>> = HashMap::new();
     for &element in &elements {
         for side in 0..mesh.elements[element as usize].shape.faces().len() as u8 {

@@ -29,7 +29,6 @@
 //! ```
 
 #![forbid(unsafe_code)]
-
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a negated comparison refuses NaN as well")]
 
 mod artificial;

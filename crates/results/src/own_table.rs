@@ -80,7 +80,8 @@ pub fn cut_back(root: &Path, kept: &[(&str, u64)]) -> Result<(), Error> {
     // A file of the user's own that happens to lie there does not begin so.
     let ours = |other: &PathBuf| header(other).is_ok_and(|header| header.starts_with(TIME));
     for other in all(root).into_iter().filter(|other| unknown(other) && ours(other)) {
-        tremolite_files::remove(&other).map_err(Error::io(&other, "remove what came after the checkpoint"))?;
+        tremolite_files::remove(&other)
+            .map_err(Error::io(&other, "remove what came after the checkpoint"))?;
     }
     Ok(())
 }

@@ -7,7 +7,6 @@
 //! The crate knows no engine and starts no process.
 
 #![forbid(unsafe_code)]
-
 #![allow(clippy::neg_cmp_op_on_partial_ord, reason = "a negated comparison refuses NaN as well")]
 
 pub mod bootstrap;

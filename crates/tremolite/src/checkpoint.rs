@@ -192,7 +192,8 @@ fn write_file(folder: &Path, file: &str, state: &mut State, fingerprint: u64) ->
     }
     bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
     let path = folder.join(file);
-    tremolite_files::make_folder(folder).map_err(|source| CheckpointError::Io { path: folder.into(), source })?;
+    tremolite_files::make_folder(folder)
+        .map_err(|source| CheckpointError::Io { path: folder.into(), source })?;
     tremolite_results::replace_file(&path, &bytes)
         .map_err(|e| CheckpointError::Io { path, source: std::io::Error::other(e) })
 }

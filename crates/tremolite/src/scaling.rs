@@ -195,14 +195,8 @@ impl Machines {
 mod tests {
     use super::*;
 
-    const LIKE: Machines = Machines {
-        rate: 4e8,
-        share: 0.26,
-        surface: 200.0,
-        neighbours: 12,
-        network: NETWORK,
-        first: 0.0,
-    };
+    const LIKE: Machines =
+        Machines { rate: 4e8, share: 0.26, surface: 200.0, neighbours: 12, network: NETWORK, first: 0.0 };
 
     #[test]
     fn one_machine_is_as_efficient_as_itself_and_many_lose_by_their_surface() {

@@ -315,7 +315,8 @@ impl Simulation {
         match checkpoint::read(&folder.checkpoint(), &mut state, self.fingerprint) {
             Ok(damaged) => {
                 let why = damaged.map(|why| why.what());
-                self.fallen_back = why.map(|why| format!("{why}; the run goes on from the checkpoint before"));
+                self.fallen_back =
+                    why.map(|why| format!("{why}; the run goes on from the checkpoint before"));
                 (self.state, self.shaking) = (state, None);
                 Ok(())
             }
@@ -323,7 +324,8 @@ impl Simulation {
             Err(why @ (CheckpointError::Damaged { .. } | CheckpointError::Io { .. }))
                 if self.shake_from(&folder).is_ok() =>
             {
-                self.fallen_back = Some(format!("{}; the run goes on from where the earthquake began", why.what()));
+                self.fallen_back =
+                    Some(format!("{}; the run goes on from where the earthquake began", why.what()));
                 self.shaking = None;
                 Ok(())
             }

@@ -209,7 +209,9 @@ fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<
     };
     let mut control = Control { stop: &stop, progress: &mut tell };
     let simulation = begun.simulation_among(&job, Vec::new(), ranks.clone());
-    if let Some(why) = simulation.as_ref().ok().and_then(|simulation| simulation.fallen_back()).filter(|_| first) {
+    if let Some(why) =
+        simulation.as_ref().ok().and_then(|simulation| simulation.fallen_back()).filter(|_| first)
+    {
         log.say(&format!("warning: {why}"));
     }
     let outcome = simulation.and_then(|simulation| tremolite::run::run(simulation, &mut control));

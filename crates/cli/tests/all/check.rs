@@ -123,7 +123,9 @@ fn what_ranks_would_share_is_said_in_lines_and_in_the_object() {
     assert!(number(&three, "/seconds/messages") > 0.0);
     let lines = tremolite(folder.path(), &["check", "study/case.toml", "--ranks", "3"]).stdout;
     let lines = String::from_utf8(lines).unwrap();
-    for words in ["ranks 3", "if each rank had a machine like this one to itself", "Not measured", "neighbours"] {
+    for words in
+        ["ranks 3", "if each rank had a machine like this one to itself", "Not measured", "neighbours"]
+    {
         assert!(lines.contains(words), "'{words}' is missing:\n{lines}");
     }
 }

@@ -234,7 +234,7 @@ fn the_page_of_records_shows_what_its_command_draws() {
             let mut values = ["3", "20"].iter();
             let text = step.split(' ').map(|w| match w {
                 "N" | "S" | "X" => "3",
-                "F" => values.next().unwrap(),
+                "F" | "T" => values.next().unwrap(),
                 other => other,
             });
             let text = text.collect::<Vec<_>>().join(" ");

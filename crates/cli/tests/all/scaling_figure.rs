@@ -14,9 +14,6 @@ fn the_page_of_clusters_shows_what_the_model_of_scaling_gives() {
         assert!(page.lines().any(|line| line == row), "missing on the page:\n{row}");
     }
     let found = std::fs::read_to_string(docs.join("clusters").join(example::FIGURE)).unwrap();
-    assert!(
-        found == example::figure(),
-        "run cargo run --release -p tremolite-cli --example scaling_figure"
-    );
+    assert!(found == example::figure(), "run cargo run --release -p tremolite-cli --example scaling_figure");
     assert!(page.contains(&format!("(clusters/{})", example::FIGURE)));
 }

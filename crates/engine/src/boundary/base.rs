@@ -26,6 +26,11 @@ pub struct BaseNode {
 }
 
 impl BaseNode {
+    /// Whether springs hold it: nothing else asks where it is beside the free field.
+    fn is_sprung(&self) -> bool {
+        self.spring != [0.0; 6]
+    }
+
     /// u − u_ff \[m\].
     fn scattered(&self, now: &Now, u: &[Row]) -> [f64; 3] {
         now.scattered(&self.place, u[self.node as usize].xyz(), u)
@@ -69,10 +74,11 @@ impl Part for BasePart {
         &self.nodes
     }
 
-    /// The bottoms of the columns whose motion is the free field.
+    /// The bottoms of the columns whose motion is the free field, from which springs count.
     fn reads(&self) -> Reads {
+        let sprung = self.pushed.iter().filter(|base| base.is_sprung());
         let mut nodes: Vec<u32> =
-            self.pushed.iter().flat_map(|base| &base.place.bottoms).map(|(node, _)| *node).collect();
+            sprung.flat_map(|base| &base.place.bottoms).map(|(node, _)| *node).collect();
         nodes.sort_unstable();
         nodes.dedup();
         Reads { nodes, ..Reads::default() }
@@ -90,8 +96,7 @@ impl Part for BasePart {
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
         for (((base, points), out), last) in self.pushed.iter().zip(&self.of_node).zip(out).zip(last) {
             let du = x.increment(base.node).xyz();
-            let sprung = base.spring != [0.0; 6];
-            let scattered = if sprung { base.scattered(&now, x.u) } else { [0.0; 3] };
+            let scattered = if base.is_sprung() { base.scattered(&now, x.u) } else { [0.0; 3] };
             let spring = times(&base.spring, scattered);
             let before = times(&base.spring, [last[0], last[1], last[2]]);
             let push = now

@@ -71,7 +71,7 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
             let least = if cavern.shape == CavernShape::Arch { 0.02 } else { 0.15 } * cavern.width;
             if cavern.arch_rise < least {
                 let must = format!(
-                    "at least {least} m for a roof of this shape over {} m, its `width`",
+                    "at least {least:.3} m for a roof of this shape over {} m, its `width`",
                     cavern.width
                 );
                 return Err(value(key("arch_rise"), cavern.arch_rise, must));

@@ -108,7 +108,7 @@ fn a_folder_that_a_run_writes_into_is_refused_to_others_until_the_run_ends() {
     let first = temp.path().join("cavern");
     let run = ResultFolder::create(Some(&first), "x", false).unwrap();
     fs::create_dir(run.checkpoint()).unwrap();
-    fs::write(run.checkpoint().join("state"), "x").unwrap();
+    fs::write(run.checkpoint().join("state.bin"), "x").unwrap();
     fs::write(run.summary(), "{}").unwrap();
     let kept = run.clone();
     drop(run);

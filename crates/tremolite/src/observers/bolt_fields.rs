@@ -38,7 +38,8 @@ impl BoltFields {
             Pvd::resume(&folder.bolts_pvd(), setting.time - 0.5 * setting.dt)?
         };
         let files = folder.bolt_fields();
-        tremolite_files::make_folder(&files).map_err(|source| RunError::Io { path: files.clone(), source })?;
+        tremolite_files::make_folder(&files)
+            .map_err(|source| RunError::Io { path: files.clone(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
         let points = model.bolts.iter().flat_map(|set| &set.bolts).flat_map(|bolt| &bolt.points);
         let nodes = points.flat_map(|point| &point.weights);

@@ -121,7 +121,8 @@ impl InterfaceFields {
             Pvd::resume(&folder.interfaces_pvd(), setting.time - 0.5 * setting.dt)?
         };
         let files = folder.interface_fields();
-        tremolite_files::make_folder(&files).map_err(|source| RunError::Io { path: files.clone(), source })?;
+        tremolite_files::make_folder(&files)
+            .map_err(|source| RunError::Io { path: files.clone(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
         Ok(Some(InterfaceFields {
             schedule,

@@ -476,7 +476,8 @@ fn a_border_sends_back_little_of_what_crosses_it() {
 #[test]
 fn no_border_lies_along_a_thin_body() {
     let apart = |elements: u32, quadrature: Quadrature| {
-        let mesh = BoxSpec::uniform([0.0; 3], [8.0, 8.0, f64::from(elements)], [8, 8, elements]).mesh().unwrap();
+        let mesh =
+            BoxSpec::uniform([0.0; 3], [8.0, 8.0, f64::from(elements)], [8, 8, elements]).mesh().unwrap();
         let body = Body {
             name: "plate".into(),
             elements: (0..mesh.elements.len() as u32).collect(),

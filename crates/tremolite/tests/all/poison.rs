@@ -117,7 +117,8 @@ fn all_sides_and_bases_name_what_they_read() {
             (0..2).for_each(|i| left_out[i] += some[i]);
         }
     }
-    assert!(left_out[0] > 10, "columns' feet were left out: {left_out:?}");
+    // Springs read them, of which there are three kinds of sides.
+    assert!(left_out[0] >= 6, "columns' feet were left out: {left_out:?}");
 }
 
 #[test]

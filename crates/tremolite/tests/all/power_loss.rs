@@ -86,7 +86,11 @@ impl Recorded {
         let [whole, other] = [self.parent.path().join("run"), root].map(|root| files(&root));
         for (name, bytes) in &whole {
             let same = other.get(name).is_some_and(|other| other == bytes);
-            assert!(same || name.ends_with("run.lock") || name.ends_with("log.txt"), "{how}: {}", name.display());
+            assert!(
+                same || name.ends_with("run.lock") || name.ends_with("log.txt"),
+                "{how}: {}",
+                name.display()
+            );
         }
         true
     }
@@ -103,7 +107,9 @@ fn whole(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut all = files(root);
     for name in CHECKPOINTS.into_iter().chain(["hand-over.bin"]) {
         let path = root.join("checkpoint").join(name);
-        all.extend(std::fs::read(&path).ok().map(|bytes| (path.strip_prefix(root).unwrap().to_owned(), bytes)));
+        all.extend(
+            std::fs::read(&path).ok().map(|bytes| (path.strip_prefix(root).unwrap().to_owned(), bytes)),
+        );
     }
     all
 }
@@ -155,7 +161,10 @@ fn a_damaged_checkpoint_falls_back_to_the_one_before() {
     let earlier = resume().unwrap();
     assert_eq!(earlier.taken(), steps[1]);
     let said = earlier.fallen_back().unwrap();
-    assert!(said.contains("state.bin: the checksum does not fit") && said.contains("checkpoint before"), "{said}");
+    assert!(
+        said.contains("state.bin: the checksum does not fit") && said.contains("checkpoint before"),
+        "{said}"
+    );
     drop(earlier);
     std::fs::remove_file(&checkpoints[0]).unwrap();
     assert_eq!(resume().unwrap().taken(), steps[1], "a last one that is missing");

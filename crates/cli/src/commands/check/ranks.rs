@@ -19,7 +19,10 @@ pub fn print_lines(shared: &SharedOut) {
         of_rank.iter().map(|one| one.bytes).sum::<f64>() / f64::from(*ranks),
     ];
     print(&format!("  sent in a step: {} by a rank in the mean, {} at most", sent(mean), sent(most)));
-    print(&format!("  each rank holds the whole model and room for its state, {}", bytes(shared.memory_bytes)));
+    print(&format!(
+        "  each rank holds the whole model and room for its state, {}",
+        bytes(shared.memory_bytes)
+    ));
     let idle = of_rank.iter().filter(|one| one.work == 0.0).count();
     if idle > 0 {
         print(&format!("  {idle} ranks have no elements: there are {} patches", shared.patches));
