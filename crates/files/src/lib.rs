@@ -1,7 +1,7 @@
 //! Files that a run writes, so that a machine which loses power leaves what was said to be kept.
 //!
 //! A file is there to stay once its content was synced, and its name once the folder was: [`replace`] does both, and [`Appended`] does
-//! when it is told to. Everything that a run writes goes through here, so that a test can [record](record) it and ask of every
+//! when it is told to. Everything that a run writes goes through here, so that a test can [`record`] it and ask of every
 //! moment what a machine that lost power there would have left.
 
 #![forbid(unsafe_code)]
