@@ -153,7 +153,31 @@ impl ResultFolder {
             Err(fs::TryLockError::Error(_)) => {}
             Ok(()) => self._lock = Some(Arc::new(file)),
         }
+        if make {
+            self.tidy();
+        }
         Ok(self)
+    }
+
+    /// Removes what a run that was killed had half written, which no other can go on with.
+    fn tidy(&self) {
+        let folders = [
+            self.root.clone(),
+            self.fields(),
+            self.interface_fields(),
+            self.stage_fields(),
+            self.bolt_fields(),
+            self.own_tables(),
+            self.figures(),
+            self.checkpoint(),
+        ];
+        let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten().flatten();
+        for path in
+            entries.map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|x| x == "part"))
+        {
+            // Litter that stays does no harm.
+            let _ = tremolite_files::remove(&path);
+        }
     }
 
     /// Makes the folder and its `log.txt`; none if it holds results that must stay.
