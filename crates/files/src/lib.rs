@@ -49,6 +49,13 @@ pub fn replace_with(path: &Path, content: &[u8]) -> io::Result<()> {
     replace(path, |out| out.write_all(content))
 }
 
+/// Whether a file has the name of one that [`replace`] did not finish: what else ends in `.part` is somebody's own.
+pub fn is_half_written(path: &Path) -> bool {
+    let name = path.file_name().and_then(|name| name.to_str()).and_then(|name| name.strip_suffix(".part"));
+    let process = name.and_then(|name| name.rsplit_once('.')).map(|(_, process)| process);
+    process.is_some_and(|process| process.parse::<u32>().is_ok())
+}
+
 /// Gives a file another name, in place of what had it before, for good.
 ///
 /// # Errors

@@ -172,9 +172,8 @@ impl ResultFolder {
             self.checkpoint(),
         ];
         let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten().flatten();
-        for path in
-            entries.map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|x| x == "part"))
-        {
+        let litter = entries.map(|entry| entry.path()).filter(|path| tremolite_files::is_half_written(path));
+        for path in litter {
             // Litter that stays does no harm.
             let _ = tremolite_files::remove(&path);
         }

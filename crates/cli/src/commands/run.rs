@@ -126,13 +126,17 @@ fn begin(args: &Args, job: &Job, other: Option<&ResultFolder>) -> Result<Option<
     } else {
         (create(args.out.as_deref(), args.overwrite)?, false)
     };
-    let start = match (resumed, other) {
+    let begun = job.begin(&folder, start(resumed, other)).map_err(other_case)?;
+    Ok(Some(Own { folder, begun, resumed }))
+}
+
+/// What a run begins with.
+fn start(resumed: bool, other: Option<&ResultFolder>) -> Start<'_> {
+    match (resumed, other) {
         (true, _) => Start::Resume,
         (false, Some(other)) => Start::From(other),
         (false, None) => Start::Rest,
-    };
-    let begun = job.begin(&folder, start).map_err(other_case)?;
-    Ok(Some(Own { folder, begun, resumed }))
+    }
 }
 
 fn other_case(why: RunError) -> Failure {
@@ -250,12 +254,7 @@ fn joined(job: &Job, told: &str, other: Option<&ResultFolder>) -> Result<Option<
     let Some(root) = told.strip_prefix([GOES_ON, BEGINS]) else { return Ok(None) };
     let resumed = told.starts_with(GOES_ON);
     let folder = ResultFolder::open_existing(Path::new(root)).map_err(Failure::failed)?;
-    let start = match (resumed, other) {
-        (true, _) => Start::Resume,
-        (false, Some(other)) => Start::From(other),
-        (false, None) => Start::Rest,
-    };
-    let begun = job.join(&folder, start);
+    let begun = job.join(&folder, start(resumed, other));
     Ok(Some(Own { folder, begun, resumed }))
 }
 

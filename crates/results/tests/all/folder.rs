@@ -49,6 +49,8 @@ fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
     let lock = temp.path().join("run.lock");
     fs::remove_file(&lock).unwrap();
 
+    fs::write(temp.path().join("film.part"), "a user's own").unwrap();
+    fs::write(folder.fields().join("0002.vtu.4711.part"), "half").unwrap();
     let refused = ResultFolder::create(Some(temp.path()), "x", false).unwrap_err();
     assert!(matches!(refused, Error::Held { .. }));
     assert!(refused.to_string().contains("--resume") && refused.to_string().contains("--overwrite"));
@@ -58,6 +60,7 @@ fn a_given_folder_with_results_is_refused_or_emptied_of_results_alone() {
     assert!(!folder.summary().exists() && !folder.fields().join("0001.vtu").exists());
     assert!(of_interfaces.iter().all(|path| !path.exists()), "a later run may have no interface");
     assert!(!folder.free_field().exists(), "nor a column");
+    assert!(temp.path().join("film.part").exists() && !folder.fields().join("0002.vtu.4711.part").exists());
     assert!(folder.fields().join("notes.md").exists() && temp.path().join("letter.txt").exists());
 }
 
