@@ -131,7 +131,7 @@ pub fn cut(mesh: &mut Mesh, cuts: &[Cut], bounds: &Bounds<'_>) -> Result<Done, C
         ends.flat_map(|cut| ["above", "below"].map(|side| format!("{}.{side}", cut.name))).collect();
     let mut earlier: Vec<Plane> = flat.iter().map(|(cut, _)| cut.plane).collect();
     for cut in others {
-        let made = in_space(&work, cut, bounds, &ending, &earlier)?;
+        let made = in_space(&work, cut, &whole, bounds, &ending, &earlier)?;
         whole = made.origin.iter().map(|&e| whole[e as usize]).collect();
         done.moved = done.moved.max(made.moved);
         done.changed.extend(made.changed);
@@ -162,13 +162,14 @@ fn name(mesh: &mut Mesh, cut: &Cut, sides: [Vec<u32>; 2]) -> Result<(), CutError
 fn in_space(
     work: &Mesh,
     cut: &Cut,
+    whole: &[bool],
     bounds: &Bounds<'_>,
     ending: &[String],
     earlier: &[Plane],
 ) -> Result<solid::Made, CutError> {
-    match solid::cut(work, cut, &parts(work, ending), earlier, bounds.free) {
+    match solid::cut(work, cut, whole, &parts(work, ending), earlier, bounds.free) {
         Err(CutError::NoWay { .. } | CutError::Poor { .. }) if !bounds.soft.is_empty() => {
-            solid::cut(work, cut, &parts(work, &[bounds.soft, ending].concat()), earlier, bounds.free)
+            solid::cut(work, cut, whole, &parts(work, &[bounds.soft, ending].concat()), earlier, bounds.free)
         }
         made => made,
     }

@@ -12,7 +12,7 @@ use crate::topology::{cross, dot, face_key, minus, norm};
 use crate::{Element, Face, Mesh};
 
 /// Worth below which an element's nodes become dearer.
-const POOR: f64 = 0.2;
+const POOR: f64 = 0.06;
 /// What a step length counts for beside a Jacobian.
 const STEP: f64 = 1.2;
 
@@ -33,8 +33,12 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
-    /// Divides the elements that a plane crosses. The error is one that cannot be.
-    pub fn of(ground: &Ground<'_>, choice: &Choice, moves: BTreeMap<u32, [f64; 3]>) -> Result<Pieces, u32> {
+    /// Divides the elements that a plane crosses. The error is those that cannot be.
+    pub fn of(
+        ground: &Ground<'_>,
+        choice: &Choice,
+        moves: BTreeMap<u32, [f64; 3]>,
+    ) -> Result<Pieces, Vec<u32>> {
         let mesh = ground.mesh;
         let count = mesh.nodes.len() as u32;
         let moved = |n: u32| {
@@ -45,8 +49,9 @@ impl Pieces {
         let (mut between, mut places) = (BTreeMap::new(), Vec::new());
         for &[above, below] in &choice.edges {
             let (a, b) = (moved(above), moved(below));
-            let (of_a, of_b) = (ground.plane.distance(a), ground.plane.distance(b));
-            let t = of_a / (of_a - of_b);
+            // Through a slice the plane goes by one of its nodes: the others may lie beyond.
+            let (of_a, of_b) = (ground.plane.distance(a).max(0.0), (-ground.plane.distance(b)).max(0.0));
+            let t = if of_a + of_b > 0.0 { (of_a / (of_a + of_b)).clamp(0.05, 0.95) } else { 0.5 };
             between.insert([above, below], count + places.len() as u32);
             places.push([0, 1, 2].map(|i| a[i] + t * (b[i] - a[i])));
         }
@@ -76,17 +81,8 @@ impl Pieces {
             .filter(|face| fold(&mesh.face_nodes(*face).collect::<Vec<_>>(), sign).is_some())
             .map(|face| face_key(mesh, face))
             .collect();
-        for &e in &ground.near {
-            let element = &mesh.elements[e as usize];
+        let bodies_of = |e: u32| -> Option<[Faces; 2]> {
             let is_crossed = crossed(e);
-            if !is_crossed && !faces_of(mesh, e).any(|face| folded.contains(&face_key(mesh, face))) {
-                if element.nodes().iter().any(|n| moves.contains_key(n)) {
-                    let length = step_length(element, &at);
-                    step = step.min(length);
-                    worth.push((e, jacobian(element, &at).min(STEP * length / ground.smallest)));
-                }
-                continue;
-            }
             let mut bodies: [Faces; 2] = Default::default();
             for face in faces_of(mesh, e) {
                 let nodes: Vec<u32> = mesh.face_nodes(face).collect();
@@ -98,7 +94,7 @@ impl Pieces {
                         bodies[if is_crossed { 1 - own } else { own }].push(flat);
                         continue;
                     }
-                    None => clip(&nodes, sign, on_edge).ok_or(e)?,
+                    None => clip(&nodes, sign, on_edge)?,
                 };
                 for (body, polygon) in bodies.iter_mut().zip(clipped) {
                     if !polygon.is_empty() {
@@ -117,12 +113,30 @@ impl Pieces {
                 }
             }
             if is_crossed {
-                let lid = lid(&bodies[0]).ok_or(e)?;
+                let lid = lid(&bodies[0])?;
                 for face in parted(&lid, &at) {
                     bodies[1].push(face.iter().rev().copied().collect());
                     bodies[0].push(face);
                 }
             }
+            Some(bodies)
+        };
+        let mut impossible = Vec::new();
+        for &e in &ground.near {
+            let element = &mesh.elements[e as usize];
+            let is_crossed = crossed(e);
+            if !is_crossed && !faces_of(mesh, e).any(|face| folded.contains(&face_key(mesh, face))) {
+                if element.nodes().iter().any(|n| moves.contains_key(n)) {
+                    let length = step_length(element, &at);
+                    step = step.min(length);
+                    worth.push((e, jacobian(element, &at).min(STEP * length / ground.smallest)));
+                }
+                continue;
+            }
+            let Some(bodies) = bodies_of(e) else {
+                impossible.push(e);
+                continue;
+            };
             let size = step_length(element, &before);
             let mut worst = f64::INFINITY;
             let made = bodies.map(|body| {
@@ -151,6 +165,9 @@ impl Pieces {
             worth.push((e, worst));
             parts.insert(e, made);
         }
+        if !impossible.is_empty() {
+            return Err(impossible);
+        }
         let on = choice.nodes.clone();
         Ok(Pieces { moves, on, between, places, parts, worth, step })
     }
@@ -160,6 +177,17 @@ impl Pieces {
         let least = self.worth.iter().map(|(_, worth)| *worth).fold(f64::INFINITY, f64::min);
         let poor = self.worth.iter().filter(|(_, worth)| *worth < POOR).map(|(e, _)| *e).collect();
         (least.min(STEP * self.step / ground.smallest), poor)
+    }
+
+    /// Nodes that stand for the plane off it.
+    pub fn bent(&self, ground: &Ground<'_>) -> BTreeSet<u32> {
+        let (low, high) = ground.mesh.bounds();
+        let tolerance = 1e-9 * norm(minus(high, low));
+        let off = |n: &u32| {
+            let (x, way) = (ground.at(*n), self.moves.get(n).copied().unwrap_or_default());
+            ground.plane.distance([0, 1, 2].map(|i| x[i] + way[i])).abs() > tolerance
+        };
+        self.on.iter().copied().filter(off).collect()
     }
 
     /// Makes the mesh.
