@@ -7,12 +7,11 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::freedom::{self, Freedom};
-use super::polyhedron::step_length;
 use super::{Ground, Made};
 use crate::plane::Plane;
 use crate::quality;
 use crate::topology::{cross, dot, minus, norm};
-use crate::{Element, Mesh};
+use crate::{Mesh, Shape};
 
 /// The power of (step without the plane over that of a node) in what is made least.
 const POWER: i32 = 6;
@@ -213,16 +212,18 @@ impl Patch<'_> {
     /// What an element brings, with one of its corners elsewhere if that is given.
     fn share(&self, e: u32, elsewhere: Option<(u32, [f64; 3])>) -> Share {
         let element = &self.mesh.elements[e as usize];
-        let at = |n: u32| match elsewhere {
-            Some((m, x)) if m == n => x,
-            _ => self.mesh.nodes[n as usize],
-        };
-        let (stiffness, mass) = stiffness(element, self.smallest, &at);
-        let x: Vec<[f64; 3]> = element.nodes().iter().map(|&n| at(n)).collect();
-        let jacobian = quality::scaled_jacobian(element.shape, &x);
+        let mut places = [[0.0; 3]; 8];
+        for (place, &n) in places.iter_mut().zip(element.nodes()) {
+            *place = match elsewhere {
+                Some((m, x)) if m == n => x,
+                _ => self.mesh.nodes[n as usize],
+            };
+        }
+        let x = &places[..element.nodes().len()];
+        let (stiffness, mass, own) = stiffness(element.shape, x, self.smallest);
+        let jacobian = quality::scaled_jacobian(element.shape, x);
         let jacobian = if jacobian.is_nan() { -1.0 } else { jacobian };
-        let own = step_length(element, &at) / self.smallest;
-        let fault = fault(JACOBIAN, jacobian) + fault(OWN_STEP, own);
+        let fault = fault(JACOBIAN, jacobian) + fault(OWN_STEP, own / self.smallest);
         Share { stiffness, mass, fault }
     }
 
@@ -293,7 +294,8 @@ fn ratios(mesh: &Mesh, smallest: f64, elements: impl Iterator<Item = u32>) -> Ha
     let mut sums: HashMap<u32, [f64; 2]> = HashMap::new();
     for e in elements {
         let element = &mesh.elements[e as usize];
-        let (stiffness, mass) = stiffness(element, smallest, &|n| mesh.nodes[n as usize]);
+        let x: Vec<[f64; 3]> = element.nodes().iter().map(|&n| mesh.nodes[n as usize]).collect();
+        let (stiffness, mass, _) = stiffness(element.shape, &x, smallest);
         for (k, &n) in element.nodes().iter().enumerate() {
             let sum = sums.entry(n).or_default();
             sum[0] += stiffness[k];
@@ -303,12 +305,11 @@ fn ratios(mesh: &Mesh, smallest: f64, elements: impl Iterator<Item = u32>) -> Ha
     sums
 }
 
-/// V b·b of an element's corners \[m\] and the volume of each \[m³\]; a volume below a thousandth of `smallest`³ counts as that.
-fn stiffness(element: &Element, smallest: f64, at: &impl Fn(u32) -> [f64; 3]) -> ([f64; 8], f64) {
-    let x: Vec<[f64; 3]> = element.nodes().iter().map(|&n| at(n)).collect();
-    let volume = quality::volume(element.shape, &x).max(1e-3 * smallest.powi(3));
+/// V b·b of an element's corners \[m\], the volume of each \[m³\], and the element's own step length \[m\] (as `polyhedron::step_length`). In the first
+/// two a volume below a thousandth of `smallest`³ counts as that.
+fn stiffness(shape: Shape, x: &[[f64; 3]], smallest: f64) -> ([f64; 8], f64, f64) {
     let mut areas = [[0.0; 3]; 8];
-    for face in element.shape.faces() {
+    for face in shape.faces() {
         let (a, b) = match face[..] {
             [p, q, r] => (minus(x[q], x[p]), minus(x[r], x[p])),
             [p, q, r, s] => (minus(x[r], x[p]), minus(x[s], x[q])),
@@ -319,5 +320,9 @@ fn stiffness(element: &Element, smallest: f64, at: &impl Fn(u32) -> [f64; 3]) ->
             (0..3).for_each(|i| areas[k][i] += area[i]);
         }
     }
-    (areas.map(|a| dot(a, a) / volume), volume / x.len() as f64)
+    let squares = areas.map(|a| dot(a, a));
+    let volume = quality::volume(shape, x);
+    let own = volume.max(0.0) * (1.5 / squares.iter().sum::<f64>()).sqrt();
+    let volume = volume.max(1e-3 * smallest.powi(3));
+    (squares.map(|square| square / volume), volume / x.len() as f64, own)
 }
