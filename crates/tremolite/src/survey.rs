@@ -11,7 +11,7 @@ use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{
-    BrickField, BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies,
+    BrickField, BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry,
 };
 use tremolite_results::{Said, said};
 
@@ -76,8 +76,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
             .par_chunks(64)
             .map(|chunk| {
                 let hexes: Vec<_> = chunk.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
-                let omegas =
-                    element_frequencies(&hexes, body.material.stiffest(), body.density, body.quadrature);
+                let omegas = model.water.frequencies(body, chunk, &hexes);
                 let mut worst = ((0.0_f64, 0), (f64::INFINITY, 0));
                 for ((&e, hex), omega) in chunk.iter().zip(&hexes).zip(omegas) {
                     let longest = 2.0 * hex.half_lengths.iter().copied().fold(0.0, f64::max);

@@ -80,6 +80,8 @@ problems! {
     interface_fault Test,
     loaded_interface Test,
     wet_joint Test,
+    undrained_waves Test,
+    undrained_books Test,
     planes_at_rest Test,
     hand_over_wave Test,
     gravity_column Test,

@@ -1,0 +1,75 @@
+//! Rock whose water cannot leave its pores in the earthquake: Biot's modulus, and what no rock can have.
+//!
+//! 1/M = n/K_w + (α − n)/K_s with the grains' K_s = K/(1 − α), or M = BK/(α(1 − αB)) by Skempton's coefficient; K_u = K + α²M and
+//! B = αM/K_u (`detournay1993`, `skempton1954`). K is that of the law at rest.
+
+use super::water::pores;
+use tremolite_case::{Case, Diagnostic, Earthquake, Pores};
+use tremolite_engine::Body;
+use tremolite_laws::{Dimension, Moduli};
+
+/// Pa: what hardly any rock is stiffer than, grains and all.
+const STIFFEST_GRAINS: f64 = 60e9;
+
+/// Whether water cannot leave its pores in a case's earthquake.
+pub fn is_undrained(case: &Case) -> bool {
+    case.water.as_ref().is_some_and(|water| water.earthquake.value == Earthquake::Undrained)
+}
+
+/// A rock with water that cannot leave its pores.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Undrained {
+    /// M \[Pa\]
+    pub modulus: f64,
+    /// K_u \[Pa\]
+    pub bulk: f64,
+    /// B
+    pub skempton: f64,
+    /// K_s \[Pa\], infinite with α = 1.
+    pub grains: f64,
+}
+
+impl Undrained {
+    /// From what a case says of the pores and the moduli that the law has at rest; none where the earthquake is drained.
+    pub fn of(case: &Case, pores: &Pores, moduli: Moduli) -> Option<Self> {
+        let water = case.water.as_ref().filter(|_| is_undrained(case))?;
+        let (alpha, bulk) = (pores.biot.value, moduli.lambda + 2.0 / 3.0 * moduli.mu);
+        let grains = if alpha < 1.0 { bulk / (1.0 - alpha) } else { f64::INFINITY };
+        let modulus = match (&pores.porosity, &pores.skempton) {
+            (Some(n), _) => 1.0 / (n.value / water.bulk_modulus.value + (alpha - n.value) / grains),
+            (None, Some(b)) => b.value * bulk / (alpha * (1.0 - alpha * b.value)),
+            (None, None) => return None,
+        };
+        let undrained = bulk + alpha * alpha * modulus;
+        Some(Undrained { modulus, bulk: undrained, skempton: alpha * modulus / undrained, grains })
+    }
+}
+
+/// Refuses pores of bodies, of which these are the materials, with which water would stiffen rock beyond its grains.
+pub fn check(case: &Case, bodies: &[Body], materials: &[usize], problems: &mut Vec<Diagnostic>) {
+    let mut told = vec![false; case.materials.len()];
+    for (body, &material) in bodies.iter().zip(materials) {
+        let Some(of) = pores(case, material) else { continue };
+        let Some(undrained) = Undrained::of(case, of, body.material.relaxed()) else { continue };
+        let most = undrained.grains.min(STIFFEST_GRAINS);
+        if undrained.bulk <= most || std::mem::replace(&mut told[material], true) {
+            continue;
+        }
+        let shown = |modulus: f64| tremolite_case::units::format(modulus, Dimension::PRESSURE);
+        let whose = match of.biot.value < 1.0 && undrained.grains <= STIFFEST_GRAINS {
+            true => "that of its own grains, K/(1 − biot)",
+            false => "that of any grains",
+        };
+        problems.push(Diagnostic::at(
+            of.porosity.as_ref().or(of.skempton.as_ref()).unwrap_or(&of.biot),
+            format!(
+                "undrained, '{}' would have a bulk modulus of {}, more than {whose}, {}",
+                case.materials[material].name.value,
+                shown(undrained.bulk),
+                shown(most)
+            ),
+            "give a smaller `biot` (1 less the bulk modulus of the rock over that of its grains, 40 to 60 GPa), a larger `porosity`, or a smaller \
+             `skempton`",
+        ));
+    }
+}
