@@ -4,9 +4,10 @@
 //! B = αM/K_u (`detournay1993`, `skempton1954`). K is that of the law at rest.
 
 use super::water::pores;
-use tremolite_case::{Case, Diagnostic, Earthquake, Pores};
+use tremolite_case::{Case, Diagnostic, Earthquake, Material, MaterialWater, Pores};
 use tremolite_engine::Body;
 use tremolite_laws::{Dimension, Moduli};
+use tremolite_results::{MaterialValue, Origin};
 
 /// Pa: what hardly any rock is stiffer than, grains and all.
 const STIFFEST_GRAINS: f64 = 60e9;
@@ -43,6 +44,40 @@ impl Undrained {
         let undrained = bulk + alpha * alpha * modulus;
         Some(Undrained { modulus, bulk: undrained, skempton: alpha * modulus / undrained, grains })
     }
+}
+
+/// What a material comes to with water that cannot leave: B, K_u and c_p,u, for reports; nothing where the earthquake is drained.
+pub fn values(case: &Case, material: &Material, body: &Body) -> Vec<MaterialValue> {
+    let Some(MaterialWater::Pores(pores)) = &material.water else { return Vec::new() };
+    let Some(undrained) = Undrained::of(case, pores, body.material.relaxed()) else { return Vec::new() };
+    let moduli = body.material.moduli();
+    let stiffened = pores.biot.value * pores.biot.value * undrained.modulus;
+    let (speed, _) = Moduli { lambda: moduli.lambda + stiffened, ..moduli }.wave_speeds(body.density);
+    let all = [
+        (
+            "skempton_coefficient",
+            undrained.skempton,
+            "",
+            "share of a pressure all round that water takes where it cannot leave",
+        ),
+        ("undrained_bulk_modulus", undrained.bulk, "Pa", "K + α²M, with water that cannot leave its pores"),
+        (
+            "undrained_wave_speed_p",
+            speed,
+            "m/s",
+            "speed of P waves where water was in the pores as the earthquake began",
+        ),
+    ];
+    let value = |(name, value, unit, meaning): (&str, f64, &str, &str)| MaterialValue {
+        name: name.into(),
+        value,
+        most: value,
+        word: String::new(),
+        unit: unit.into(),
+        meaning: meaning.into(),
+        origin: Origin::Derived,
+    };
+    all.into_iter().map(value).collect()
 }
 
 /// Refuses pores of bodies, of which these are the materials, with which water would stiffen rock beyond its grains.

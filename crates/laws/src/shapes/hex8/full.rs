@@ -104,7 +104,8 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
         let mut e = field.strain::<L>(&modes, &SCALE, given.strain, at);
         let mut pressed = Pressed::<L>::none();
         if let Some(water) = &given.water {
-            pressed = water.press(field.dilatation(&e, &SCALE, at), at);
+            let dilatation = field.dilatation(&e, &SCALE, at) - super::dilatation(given.strain, at);
+            pressed = water.press(dilatation, at);
             super::widen(&mut e, &pressed);
         }
         G::Field::to_points(&mut e);

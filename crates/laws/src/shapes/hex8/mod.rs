@@ -372,6 +372,15 @@ fn plus<L: Lane>(a: Sym<L>, b: Sym<L>) -> Sym<L> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3], a[4] + b[4], a[5] + b[5]]
 }
 
+/// The dilatation that elements begin with.
+#[inline(always)]
+fn dilatation<L: Lane>(initial: &[Octet], at: usize) -> L {
+    if initial.len() < 6 {
+        return L::splat(0.0);
+    }
+    L::load(&initial[0], at) + L::load(&initial[1], at) + L::load(&initial[2], at)
+}
+
 /// Adds to the normal strains, by their coefficients, what water does to the grains.
 #[inline(always)]
 fn widen<L: Lane>(e: &mut [[L; 8]; 6], pressed: &pores::Pressed<L>) {
