@@ -87,6 +87,7 @@ problems! {
     gravity_column Test,
     kirsch_hole Test,
     excavated_opening Verify,
+    undrained_cavern Verify,
     wet_opening Verify,
     finite_cavern Verify,
     lined_tunnel Verify,

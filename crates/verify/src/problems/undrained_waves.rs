@@ -11,8 +11,11 @@ use crate::convergence::order;
 use crate::models::{QUADRATURES, Solid, column};
 use crate::simulation::{Simulation, whole_steps};
 use crate::{Check, Effort, Verification, VerifyError};
+use std::collections::BTreeMap;
+use tremolite::hexahedra::centroid;
 use tremolite::water::Spell;
 use tremolite::{Base, Incident, Problem, Quadrature, Side, Stage, Water};
+use tremolite_mesh::boxes::BoxSpec;
 use tremolite_motion::{Motion, ricker_velocity};
 
 const NAME: &str = "undrained_waves";
@@ -85,6 +88,12 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
         let note = "0.5 %: the base reflects (kh)²/16 of a wave, less than that at three times the peak frequency";
         checks.push(Check::new(NAME, quantity, fine.late, 0.0, 0.005, "1", note));
     }
+    for (word, modulus) in [("below the water", modulus), ("drained", 0.0)] {
+        let apart = level(modulus)?;
+        let note = "1e-12: round-off, all nodes of a level see the same forces";
+        let quantity = format!("how far nodes of one level are apart over the peak, free-field sides, layers {word}");
+        checks.push(Check::new(NAME, quantity, apart, 0.0, 1e-12, "1", note));
+    }
     let drained = ROCK.speeds().0;
     let share = (speed - drained) / (speed + drained);
     for (dry, reference, tolerance, what) in [(false, 0.0, 0.005, "that knows of the water"), (true, share, 0.01 * share, "without")] {
@@ -117,6 +126,49 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let note = "3 %: other modes of a cube than that of the P wave take part in its highest";
     checks.push(Check::new(NAME, "undrained step over the drained one", undrained / drained, 2088.172673961392 / speed, 0.03, "1", note));
     Ok(checks)
+}
+
+/// Two layers, the water level in the upper one, under a wave of all three components between free-field sides: largest distance of nodes of
+/// one level from one another, those of slabs and columns included, over the peak.
+fn level(modulus: f64) -> Result<f64, VerifyError> {
+    let mesh = BoxSpec::uniform([0.0; 3], [20.0, 15.0, 40.0], [4, 3, 8]).mesh()?;
+    let (soft, hard): (Vec<u32>, Vec<u32>) =
+        (0..mesh.elements.len() as u32).partition(|&e| centroid(&mesh, e)[2] > 20.0);
+    let upper = Solid { young: 1e9, poisson: 0.3, density: 2100.0 };
+    let bodies =
+        vec![upper.body("soft", soft, Quadrature::Full), ROCK.body("hard", hard, Quadrature::OnePoint)];
+    let mut problem = Problem::new(mesh, bodies);
+    let p = |z: f64| 9810.0 * (30.0 - z).max(0.0);
+    let count = problem.mesh.elements.len();
+    let elements: Vec<f64> = (0..count as u32).map(|e| p(centroid(&problem.mesh, e)[2])).collect();
+    problem.initial = elements.iter().map(|p| [-p, -p, -p, 0.0, 0.0, 0.0]).collect();
+    let nodes = problem.mesh.nodes.iter().map(|x| p(x[2])).collect();
+    problem.water = Water {
+        biot: vec![rock()[0]; count],
+        modulus: vec![modulus; count],
+        spells: vec![Spell { from: Stage::Before(0), elements, nodes }],
+    };
+    problem.sides = [Side::FreeField; 2];
+    problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: Some(20.0) };
+    let pulse = ricker_velocity(30.0, 0.05, PEAK);
+    let motion = Motion::sampled(2e-4, 0.15, |t| pulse(t).along([0.6, 0.3, 0.74]))?;
+    problem.incident = Some(Incident { motion, factor: 1.0 });
+    let simulation = Simulation::on_one_level(problem)?;
+    let (steps, dt) = whole_steps(0.15, 0.9 * simulation.stable());
+    let (mut apart, mut peak) = (0.0_f64, 0.0_f64);
+    simulation.run_from_rest(dt, steps, |state| {
+        let mut first: BTreeMap<i64, [f64; 3]> = BTreeMap::new();
+        for n in 0..state.u.len() {
+            let (u, z) = (state.u[n].xyz(), (1e3 * simulation.position(n)[2]).round() as i64);
+            let other = first.entry(z).or_insert(u);
+            for i in 0..3 {
+                let d = (u[i] - other[i]).abs();
+                apart = if d <= apart { apart } else { d };
+                peak = peak.max(u[i].abs());
+            }
+        }
+    })?;
+    Ok(apart / peak)
 }
 
 struct Risen {
