@@ -195,6 +195,16 @@ pub const TEXTS: Texts = &[
         "largest share of the volume of wet ground with an effective principal stress in tension, at {time} s: water would open cracks there and flow into them, which is not modelled",
         "含水地层中有效主应力受拉的最大体积占比，出现在 {time} s：水会在该处劈开裂缝并流入其中，未予模拟",
     ),
+    (
+        "way of the water in the earthquake over the element at drained ground",
+        "地震期间水的运移距离与排水边界处单元尺寸之比",
+    ),
+    ("no permeability is given", "未给出渗透系数"),
+    ("wet ground ends nowhere", "含水地层没有排水边界"),
+    (
+        "√(c_v T) over the shortest extent, largest in {element}: so far from voids and drained ground water does leave, and pressures change by less",
+        "√(c_v T) 与最短尺寸之比，最大值位于{element}：距空洞与已排水地层这一距离以内水会流出，孔压变化较小",
+    ),
     ("elements whose water cannot leave in the earthquake", "地震中不排水的单元数"),
     (
         "they had water in their pores when it began; which of drained and undrained moves a lining more depends on the case: run it with [water] earthquake = \"drained\" as well",

@@ -27,7 +27,7 @@ mod soaked;
 mod soil;
 mod stages;
 mod target;
-mod undrained;
+pub(crate) mod undrained;
 pub(crate) mod unlikely;
 mod warnings;
 mod water;

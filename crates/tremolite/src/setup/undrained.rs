@@ -12,6 +12,9 @@ use tremolite_results::{MaterialValue, Origin};
 /// Pa: what hardly any rock is stiffer than, grains and all.
 const STIFFEST_GRAINS: f64 = 60e9;
 
+/// Name of the value c_v of a material, which it has where its permeability is given.
+pub const DIFFUSIVITY: &str = "diffusivity";
+
 /// Whether water cannot leave its pores in a case's earthquake.
 pub fn is_undrained(case: &Case) -> bool {
     case.water.as_ref().is_some_and(|water| water.earthquake.value == Earthquake::Undrained)
@@ -53,6 +56,16 @@ pub fn values(case: &Case, material: &Material, body: &Body) -> Vec<MaterialValu
     let moduli = body.material.moduli();
     let stiffened = pores.biot.value * pores.biot.value * undrained.modulus;
     let (speed, _) = Moduli { lambda: moduli.lambda + stiffened, ..moduli }.wave_speeds(body.density);
+    // How fast pressures even out, with no strain sideways.
+    let oedometric = |bulk: f64| bulk + 4.0 / 3.0 * moduli.mu;
+    let bulk = moduli.lambda + 2.0 / 3.0 * moduli.mu;
+    let weight = case.water.as_ref().map_or(f64::NAN, |water| water.unit_weight.value);
+    let evens_out = pores
+        .permeability
+        .as_ref()
+        .map(|k| k.value / weight * undrained.modulus * oedometric(bulk) / oedometric(bulk + stiffened));
+    let meaning = "c_v of the water in its pores: a pressure goes √(c_v T) far in the time T";
+    let diffusivity = evens_out.map(|c| (DIFFUSIVITY, c, "m2/s", meaning));
     let all = [
         (
             "skempton_coefficient",
@@ -77,7 +90,7 @@ pub fn values(case: &Case, material: &Material, body: &Body) -> Vec<MaterialValu
         meaning: meaning.into(),
         origin: Origin::Derived,
     };
-    all.into_iter().map(value).collect()
+    all.into_iter().chain(diffusivity).map(value).collect()
 }
 
 /// Refuses pores of bodies, of which these are the materials, with which water would stiffen rock beyond its grains.
