@@ -118,7 +118,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
             engine.step(&mut state);
         }
         let fastest = state.du.iter().map(|du| du.0[2].abs() / state.dt).fold(0.0, |a, b| if b <= a { a } else { b });
-        let runs_away = f64::from(u8::from(!(fastest < 1e-4)));
+        let runs_away = f64::from(u8::from(fastest >= 1e-4 || fastest.is_nan()));
         let quantity = format!("whether 400 steps of 0.9 of the {word} step run away (1)");
         checks.push(Check::new(NAME, quantity, runs_away, reference, 0.0, "1", "a hundred times the velocity that it began with"));
     }
