@@ -3,7 +3,6 @@
 //! 1/M = n/K_w + (α − n)/K_s with the grains' K_s = K/(1 − α), or M = BK/(α(1 − αB)) by Skempton's coefficient; K_u = K + α²M and
 //! B = αM/K_u (`detournay1993`, `skempton1954`). K is that of the law at rest.
 
-use super::water::pores;
 use tremolite_case::{Case, Diagnostic, Earthquake, Material, MaterialWater, Pores};
 use tremolite_engine::Body;
 use tremolite_laws::{Dimension, Moduli};
@@ -97,7 +96,7 @@ pub fn values(case: &Case, material: &Material, body: &Body) -> Vec<MaterialValu
 pub fn check(case: &Case, bodies: &[Body], materials: &[usize], problems: &mut Vec<Diagnostic>) {
     let mut told = vec![false; case.materials.len()];
     for (body, &material) in bodies.iter().zip(materials) {
-        let Some(of) = pores(case, material) else { continue };
+        let Some(MaterialWater::Pores(of)) = &case.materials[material].water else { continue };
         let Some(undrained) = Undrained::of(case, of, body.material.relaxed()) else { continue };
         let most = undrained.grains.min(STIFFEST_GRAINS);
         if undrained.bulk <= most || std::mem::replace(&mut told[material], true) {
