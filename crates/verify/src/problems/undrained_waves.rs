@@ -28,7 +28,7 @@ pub const PROBLEM: Verification = Verification {
     run,
 };
 
-const ROCK: Solid = Solid { young: 10e9, poisson: 0.25, density: 27e3 / 9.81 };
+const ROCK: Solid = Solid { young: 10e9, poisson: 0.25, density: 2752.0 };
 /// Bulk modulus of grains and of water \[Pa\], and porosity.
 const GRAINS: f64 = 45e9;
 const WATER: f64 = 2.2e9;
