@@ -92,4 +92,4 @@ pub use section::{Section, SectionCode};
 pub use spanned::Spanned;
 pub use stage::{Displacement, Moved, Stage};
 pub use suggest::nearest;
-pub use water::{LateralOf, MaterialWater, Pores, StageWater, Water};
+pub use water::{Earthquake, LateralOf, MaterialWater, Pores, StageWater, Water};

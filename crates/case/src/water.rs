@@ -10,8 +10,6 @@ use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
 const STEADY: &str = "leave it out: steady seepage is not in this version; use `level`";
-const UNDRAINED: &str =
-    "leave it out: an undrained earthquake is not in this version, pressures stay as the stages leave them";
 
 /// The word for a pressure that goes by a level, and the one that is to come.
 const LEVEL: &str = "level";
@@ -36,11 +34,16 @@ pub(crate) static WATER: Table = Table {
         Key::required("level", HEIGHT, "height z of the water level in the ground before the first stage"),
         Key::default(
             "earthquake",
-            Kind::Text,
+            Kind::Word(Earthquake::WORDS),
             r#""drained""#,
-            "Pressures in the earthquake: \"drained\", they stay as the stages leave them",
+            "Pressures in the earthquake",
         ),
-        Key::later("bulk_modulus", UNDRAINED),
+        Key::default(
+            "bulk_modulus",
+            Kind::Number(Dimension::PRESSURE, Limit::Positive),
+            r#""2.2 GPa""#,
+            "Bulk modulus of the water; only an undrained earthquake goes by it, with the `porosity` of materials",
+        ),
         Key::later("heads", STEADY),
     ],
     choice: &[],
@@ -60,14 +63,14 @@ pub(crate) static OF_MATERIAL: Table = Table {
             "porosity",
             Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
             "",
-            "Share of pores in the volume; at most `biot`. For what is undrained: nothing uses it in this version",
+            "Share of pores in the volume; at most `biot`. By it pressures change in an undrained earthquake",
         )
         .when(When::Without("skempton")),
         Key::optional(
             "skempton",
             Kind::Number(Dimension::NONE, Limit::UpTo(1.0)),
             "",
-            "Skempton's coefficient B, below 1, in place of the porosity. Nothing uses it in this version",
+            "Skempton's coefficient B, below 1, in place of the porosity: share of a pressure all round that water takes where it cannot leave",
         )
         .when(When::Without("porosity")),
         Key::optional(
@@ -126,6 +129,16 @@ pub(crate) static OF_INTERFACE: Table = Table {
 };
 
 words! {
+    /// What happens to pressures in the earthquake.
+    Earthquake {
+        /// they stay as the stages leave them
+        Drained = "drained",
+        /// water cannot leave its pores: pressures follow the volume of the ground
+        Undrained = "undrained",
+    }
+}
+
+words! {
     /// Of which stress `lateral` is the ratio.
     LateralOf {
         /// of effective stresses, where there is water
@@ -142,6 +155,9 @@ pub struct Water {
     pub unit_weight: Spanned<f64>,
     /// Height of its level before the first stage, m.
     pub level: Spanned<f64>,
+    pub earthquake: Spanned<Earthquake>,
+    /// Pa
+    pub bulk_modulus: Spanned<f64>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -180,7 +196,13 @@ pub struct StageWater {
 
 impl Water {
     pub(crate) fn read(f: &Fields) -> Option<Self> {
-        Some(Water { unit_weight: f.number("unit_weight")?, level: f.number("level")?, span: f.span.clone() })
+        Some(Water {
+            unit_weight: f.number("unit_weight")?,
+            level: f.number("level")?,
+            earthquake: f.word("earthquake", Earthquake::from_word)?,
+            bulk_modulus: f.number("bulk_modulus")?,
+            span: f.span.clone(),
+        })
     }
 
     /// What lies between keys, and what needs a case with water.
@@ -195,20 +217,12 @@ impl Water {
             }
             return;
         };
-        let words = [
-            (
-                "pressure",
-                LEVEL,
-                SEEPAGE,
-                "steady seepage is not in this version: use \"level\", which is right where nothing drains the ground",
-            ),
-            (
-                "earthquake",
-                "drained",
-                "undrained",
-                "an undrained earthquake is not in this version: use \"drained\", pressures then stay as the stages leave them",
-            ),
-        ];
+        let words = [(
+            "pressure",
+            LEVEL,
+            SEEPAGE,
+            "steady seepage is not in this version: use \"level\", which is right where nothing drains the ground",
+        )];
         for (key, known, later, instead) in words {
             let Some(word) = water.text(key).filter(|word| word.value != known) else { continue };
             let (message, remedy) = match word.value == later {
@@ -216,6 +230,23 @@ impl Water {
                 false => (format!("`{key}` cannot be \"{}\"", word.value), format!("write \"{known}\"")),
             };
             problems.push(Diagnostic::at(&word, message, remedy));
+        }
+        if water
+            .text("earthquake")
+            .is_some_and(|word| Earthquake::from_word(&word.value) == Some(Earthquake::Undrained))
+        {
+            for material in materials {
+                let Some(node) = material.fields.get("water") else { continue };
+                let says =
+                    |pores: &Fields| ["porosity", "skempton"].iter().any(|key| pores.get(key).is_some());
+                if node.table().is_some_and(|pores| !says(pores)) {
+                    problems.push(Diagnostic::new(
+                        node.span.clone(),
+                        "the earthquake is undrained, and nothing says how much water is in these pores",
+                        "give it a `porosity`, or Skempton's coefficient as `skempton`",
+                    ));
+                }
+            }
         }
         if !stress {
             problems.push(Diagnostic::new(

@@ -101,6 +101,8 @@ pub struct Assembly {
     pub spring_distance: Option<f64>,
     /// Whether ground stands outside free-field sides.
     free_field: bool,
+    /// Whether water changes its pressure in the shaking.
+    undrained: bool,
     /// Strain that elements begin with, part by part.
     initial: Vec<Octet>,
     /// Number of nodes, and of blocks of them.
@@ -144,10 +146,19 @@ impl Assembly {
             members.push(Member { kind: Kind::Own, ..member });
         }
         let free_field = !model.outside.slabs.is_empty() || model.boundaries.free_field.is_some();
+        let undrained = (0..model.user.elements).any(|e| model.water.undrained(e).is_some());
         let nodes = model.mesh_node.len();
         let blocks = model.nodes.blocks.len();
-        let mut assembly =
-            Assembly { members, base, spring_distance, nodes, blocks, free_field, ..Assembly::default() };
+        let mut assembly = Assembly {
+            members,
+            base,
+            spring_distance,
+            nodes,
+            blocks,
+            free_field,
+            undrained,
+            ..Assembly::default()
+        };
         assembly.settle(model);
         Ok(assembly)
     }
@@ -188,12 +199,14 @@ impl Assembly {
         let free_field = self.free_field;
         let levels = self.members.iter().any(|member| member.level > 0);
         let own = self.members.iter().any(|member| member.line == Some(Line::Own));
+        let undrained = self.undrained;
         Line::ALL.iter().copied().filter(move |&line| {
             (interfaces || !line.of_interfaces())
                 && (bolts || !line.of_bolts())
                 && (free_field || line != Line::FreeField)
                 && (levels || line != Line::Levels)
                 && (own || line != Line::Own)
+                && (undrained || !line.of_pores())
         })
     }
 

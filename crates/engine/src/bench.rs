@@ -10,6 +10,7 @@ use crate::life::Stage;
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::problem::{Problem, Rayleigh};
+use crate::water::{Spell, Water};
 use std::sync::Arc;
 use std::time::Instant;
 use tremolite_kernels::{AnyMaterial, Line, Quadrature};
@@ -35,6 +36,8 @@ pub struct BoxBench {
     pub levels: bool,
     /// Whether elements begin with a stress, as the ground of a case does.
     pub stressed: bool,
+    /// Whether water that cannot leave is in their pores, at the pressure of that stress.
+    pub water: bool,
     /// Speed at which the top is struck \[m/s\].
     pub strike: f64,
     pub material: Arc<dyn AnyMaterial>,
@@ -82,6 +85,10 @@ fn height(n: u32, bench: &BoxBench) -> f64 {
 /// Stress of a box that begins with one, equal in all directions \[Pa\]: so small that the free top hardly feels it.
 const STRESS: f64 = -1e4;
 
+/// α, and M \[Pa\], of a box with water.
+const BIOT: f64 = 0.85;
+const MODULUS: f64 = 43e9;
+
 /// The box: `n`³ elements of 1 m, its base fixed, its top struck.
 ///
 /// # Errors
@@ -109,6 +116,16 @@ pub fn box_problem(n: u32, bench: &BoxBench) -> Result<Problem, BoxError> {
     problem.sides = [Side::Free; 2];
     problem.rayleigh = Rayleigh { mass: 0.5, stiffness: 0.0 };
     problem.initial = initial;
+    if bench.water {
+        let count = problem.mesh.elements.len();
+        problem.initial = vec![[STRESS, STRESS, STRESS, 0.0, 0.0, 0.0]; count];
+        let (elements, nodes) = (vec![-STRESS; count], vec![-STRESS; problem.mesh.nodes.len()]);
+        problem.water = Water {
+            biot: vec![BIOT; count],
+            modulus: vec![MODULUS; count],
+            spells: vec![Spell { from: Stage::Before(0), elements, nodes }],
+        };
+    }
     problem.isa = bench.isa;
     Ok(problem)
 }

@@ -16,13 +16,14 @@ pub use nodes::{Members, members};
 pub use ties::{tie_outside, tie_periodic};
 
 use crate::body::Body;
-use crate::column::{SIDES, WIDTH};
+use crate::column::{Layer, SIDES, WIDTH};
 use crate::error::ModelError;
 use crate::free_field::Leader;
 use crate::life::Stage;
 use crate::model::{Elements, Outside};
 use crate::outer_faces::{OuterFaces, near, nodes_of};
 use crate::sheet::{Corner, Sheet, corners, faces_on};
+use crate::water::Water;
 use matrix::add;
 use std::collections::BTreeMap;
 use tremolite_mesh::topology::vector_areas;
@@ -46,6 +47,8 @@ pub struct Surroundings<'a> {
     pub asked: &'a Boundaries,
     /// What stands outside the sides.
     pub outside: &'a Outside,
+    /// In the pores of all that.
+    pub water: &'a Water,
 }
 
 impl Surroundings<'_> {
@@ -67,7 +70,21 @@ impl Surroundings<'_> {
 
     /// ρc_p and ρc_s behind a face.
     fn impedance(&self, face: Face) -> (f64, f64) {
-        self.body(face).map_or((0.0, 0.0), impedances)
+        self.body(face).map_or((0.0, 0.0), |body| self.impedances(body, face.element))
+    }
+
+    /// ρc_p and ρc_s of an element of a body, with what water that cannot leave its pores does to c_p.
+    fn impedances(&self, body: &Body, element: u32) -> (f64, f64) {
+        let moduli = self.water.stiffened(element as usize, body.material.moduli());
+        let (p, s) = moduli.wave_speeds(body.density);
+        (body.density * p, body.density * s)
+    }
+
+    /// Dashpots of a quarter of a reference column's section in a layer.
+    fn quarter(&self, layer: &Layer) -> [f64; 6] {
+        let (p, s) = self.impedances(&self.bodies[layer.body], layer.element);
+        let quarter = 0.25 * WIDTH * WIDTH;
+        [s * quarter, s * quarter, p * quarter, 0.0, 0.0, 0.0]
     }
 
     /// Faces of a sheet on an outer plane that are there in a stage.
@@ -144,12 +161,6 @@ fn nodal_matrices(
         }
     }
     matrices
-}
-
-/// ρc_p and ρc_s of a body.
-fn impedances(body: &Body) -> (f64, f64) {
-    let (p, s) = body.material.moduli().wave_speeds(body.density);
-    (body.density * p, body.density * s)
 }
 
 /// What holds and absorbs in a stage. Before the shaking the base, the column's too, and sides that are neither periodic nor
@@ -258,16 +269,9 @@ fn absorb_at_the_top(around: Surroundings, out: &mut Supports) {
     for column in &around.outside.columns {
         let (Some(ring), Some(layer)) = (column.rings.last(), column.layers.last()) else { continue };
         for &n in ring {
-            add(out.dashpots.entry(around.engine(n)).or_default(), &quarter(&around.bodies[layer.body]));
+            add(out.dashpots.entry(around.engine(n)).or_default(), &around.quarter(layer));
         }
     }
-}
-
-/// Dashpots of a quarter of a reference column's section.
-fn quarter(body: &Body) -> [f64; 6] {
-    let (p, s) = impedances(body);
-    let quarter = 0.25 * WIDTH * WIDTH;
-    [s * quarter, s * quarter, p * quarter, 0.0, 0.0, 0.0]
 }
 
 fn hold(held: &mut BTreeMap<u32, [bool; 3]>, node: u32, more: [bool; 3]) {

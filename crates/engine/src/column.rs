@@ -50,6 +50,8 @@ pub struct Layer {
     pub top: f64,
     /// Of the model's bodies.
     pub body: usize,
+    /// An element of it, in the mesh.
+    pub element: u32,
 }
 
 /// The planes across x and y, low and high.
@@ -97,7 +99,7 @@ pub struct Ground {
 impl Ground {
     /// Its layers, upwards, an element each; bodies are those that [`grounds`] was given.
     pub fn layers(&self) -> impl DoubleEndedIterator<Item = Layer> {
-        self.layers.iter().map(|&Stratum { bottom, top, body, .. }| Layer { bottom, top, body })
+        self.layers.iter().map(|&Stratum { bottom, top, body, element }| Layer { bottom, top, body, element })
     }
 }
 
@@ -314,7 +316,7 @@ fn one(
         ));
         let body = own_body(bodies, first, body, &format!("column {name}"));
         bodies[body].elements.push(element);
-        layers.push(Layer { bottom, top, body });
+        layers.push(Layer { bottom, top, body, element });
         below = above;
         rings.push(above);
     }

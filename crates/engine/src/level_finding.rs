@@ -24,7 +24,7 @@ use crate::thin::join_across;
 use crate::ties::Ties;
 use crate::{Assembly, ModelError};
 use rayon::prelude::*;
-use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
+use tremolite_laws::shapes::hex8::Hex8;
 
 /// Steps of all levels but the finest over what an element's bound allows.
 const SHARE: f64 = 0.8;
@@ -139,7 +139,7 @@ fn of_elements(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<(u32, f
         let alive: Vec<u32> = model.lasting(body);
         let (alive, shapes): (Vec<u32>, Vec<Hex8>) =
             alive.into_iter().filter_map(|e| Some((e, hex(&model.mesh, e as usize).ok()?))).unzip();
-        let omegas = element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
+        let omegas = model.water.frequencies(body, &alive, &shapes);
         let one = |(e, omega): (u32, f64)| {
             let nodes = model.mesh.elements[e as usize].nodes();
             let springs = nodes.iter().map(|&n| square(n)).fold(0.0, f64::max);

@@ -245,6 +245,7 @@ impl Model {
             places: &self.parted.places,
             asked: &self.boundaries,
             outside: &self.outside,
+            water: &self.water,
         }
     }
 

@@ -3,6 +3,7 @@
 use crate::error::ModelError;
 use crate::extent::size_tensor;
 use crate::hexahedra::{hex, hex_nodes};
+use crate::life::Stage;
 use crate::member::{Kind, Member};
 use crate::model::{Model, Patch};
 use crate::node_table::Domain;
@@ -10,7 +11,7 @@ use crate::parts::passed_on::PassedOn;
 use crate::sheet;
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use tremolite_kernels::Quadrature;
+use tremolite_kernels::{PoresOf, Quadrature};
 use tremolite_laws::shapes::hex8::{Hex8, element_frequencies, turned};
 use tremolite_mesh::Face;
 
@@ -86,6 +87,7 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
         &geometry,
         &viscosity,
         &sizes,
+        &pores(model, patch),
         model.scheme.isa,
     );
     let part = match sides.is_empty() {
@@ -109,6 +111,15 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
         counted: patch.domain == Domain::Model,
         ..member
     })
+}
+
+/// Pores of each element whose water changes its pressure in the shaking; empty where that of none does.
+fn pores(model: &Model, patch: &Patch) -> Vec<PoresOf> {
+    let undrained = |e: &u32| model.water.undrained(*e as usize);
+    match patch.life.holds(Stage::Shaking) && patch.elements.iter().any(|e| undrained(e).is_some()) {
+        true => patch.elements.iter().map(|e| undrained(e).unwrap_or_default()).collect(),
+        false => Vec::new(),
+    }
 }
 
 /// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without.

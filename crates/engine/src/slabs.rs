@@ -268,7 +268,7 @@ impl Slabs {
                     let z = || mesh.elements[e as usize].nodes().iter().map(|&n| mesh.nodes[n as usize][2]);
                     let (bottom, top) =
                         (z().fold(f64::INFINITY, f64::min), z().fold(f64::NEG_INFINITY, f64::max));
-                    column.layers.push(Layer { bottom, top, body });
+                    column.layers.push(Layer { bottom, top, body, element: e });
                 }
             }
             column.layers.sort_by(|a, b| a.bottom.total_cmp(&b.bottom));

@@ -5,21 +5,33 @@
 //! what it does, ∫Bᵀ(−p I), is a constant force as weight is (`pore_forces.rs`): kernels know nothing of it, and where there is no water nothing
 //! of this is there. A change of pressure is a change of forces, which stages hold and let go like any other.
 //!
-//! It does not model flow, suction, or what deformation does to the pressure.
+//! In the shaking water cannot leave its pores if that is asked for: then p = p_h − αM(θ − θ_h) down to a floor, with θ the element's mean
+//! dilatation and h the hand-over. Kernels know of that ([`tremolite_laws::shapes::hex8::Undrained`]), in those elements alone.
+//!
+//! It does not model flow, suction, or what deformation does to the pressure before the shaking.
 
+use crate::body::Body;
 use crate::error::ModelError;
 use crate::interface::Seam;
 use crate::life::Stage;
 use crate::sheet::{Sheet, corners};
 use std::collections::HashMap;
+use tremolite_kernels::PoresOf;
 use tremolite_laws::Moduli;
+use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
 use tremolite_mesh::Mesh;
+
+/// The least pressure \[Pa\]: water boils there.
+pub const FLOOR: f64 = -1e5;
 
 /// Water in a model, as a program states it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Water {
     /// Biot's coefficient α of each element of the mesh, above 0 and at most 1; 0 of what has no pores.
     pub biot: Vec<f64>,
+    /// Biot's modulus M of each element \[Pa\], by which deformation changes the pressure in the shaking where there is any when that begins; 0,
+    /// or empty: pressures stay.
+    pub modulus: Vec<f64>,
     /// What holds from a stage on until the next, ascending; the first begins with the model. None: no water.
     pub spells: Vec<Spell>,
 }
@@ -46,6 +58,39 @@ impl Water {
             Some(spell) if self.biot[element] > 0.0 => spell.elements[element],
             _ => 0.0,
         }
+    }
+
+    /// Pores of an element in which the shaking changes the pressure; none where it stays.
+    pub fn undrained(&self, element: usize) -> Option<PoresOf> {
+        let modulus = self.modulus.get(element).copied().filter(|modulus| *modulus > 0.0)?;
+        let p = self.pressure(element, Stage::Shaking);
+        (p > 0.0).then(|| PoresOf { biot: self.biot[element], modulus, least: FLOOR - p })
+    }
+
+    /// Elastic moduli \[Pa\] of an element's ground in the shaking, water included, from those without.
+    pub fn stiffened(&self, element: usize, moduli: Moduli) -> Moduli {
+        let more = self.undrained(element).map_or(0.0, |pores| pores.biot * pores.biot * pores.modulus);
+        Moduli { lambda: moduli.lambda + more, ..moduli }
+    }
+
+    /// The highest frequency of each of some elements of a body alone in the shaking \[rad/s\], water included.
+    pub fn frequencies(&self, body: &Body, elements: &[u32], shapes: &[Hex8]) -> Vec<f64> {
+        let (moduli, density, quadrature) = (body.material.stiffest(), body.density, body.quadrature);
+        let mut all = element_frequencies(shapes, moduli, density, quadrature);
+        let stiffened = |i: usize| self.stiffened(elements[i] as usize, moduli);
+        let mut wet: Vec<usize> =
+            (0..shapes.len()).filter(|&i| self.undrained(elements[i] as usize).is_some()).collect();
+        // Those that are equally stiff side by side: mostly all of them.
+        while let Some(&first) = wet.first() {
+            let moduli = stiffened(first);
+            let (own, rest): (Vec<usize>, Vec<usize>) =
+                wet.into_iter().partition(|&i| stiffened(i) == moduli);
+            let alike: Vec<Hex8> = own.iter().map(|&i| shapes[i].clone()).collect();
+            let omegas = element_frequencies(&alike, moduli, density, quadrature);
+            own.into_iter().zip(omegas).for_each(|(i, omega)| all[i] = omega);
+            wet = rest;
+        }
+        all
     }
 
     /// Whether an element has pores.
@@ -89,6 +134,13 @@ impl Water {
         if self.spells.iter().any(|spell| spell.from == Stage::Shaking) {
             return refuse("pressures change with stages before the shaking alone".into());
         }
+        if !self.modulus.is_empty() && self.modulus.len() != count {
+            return refuse(format!("give Biot's modulus of all {count} elements, or of none"));
+        }
+        if let Some(modulus) = self.modulus.iter().find(|modulus| !(modulus.is_finite() && **modulus >= 0.0))
+        {
+            return refuse(format!("Biot's modulus is {modulus} Pa: it must be 0 or more"));
+        }
         if let Some(alpha) = self.biot.iter().find(|alpha| !(0.0..=1.0).contains(*alpha)) {
             return refuse(format!("Biot's coefficient is {alpha}: it lies above 0 and at most at 1"));
         }
@@ -122,6 +174,9 @@ impl Water {
         let sheets: Vec<&Sheet> = sheets.collect();
         let of_parents = |list: &[f64]| parents.iter().map(|&e| list[e as usize]).collect();
         self.biot = of_parents(&self.biot);
+        if !self.modulus.is_empty() {
+            self.modulus = of_parents(&self.modulus);
+        }
         for spell in &mut self.spells {
             spell.elements = of_parents(&spell.elements);
             let given = &spell.nodes;

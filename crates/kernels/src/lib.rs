@@ -17,5 +17,6 @@ pub use interface::{AnyInterface, InterfaceLaw, interface_laws};
 pub use line::{Booked, Line, Lines};
 pub use material::{AnyMaterial, Law, elastic, laws};
 pub use part::{ElementEnergy, Entry, Motion, Own, Part, ProbeOut, Reads, Scratch, StateSizes, Tick};
+pub use solid::PoresOf;
 pub use stage::Stage;
 pub use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};

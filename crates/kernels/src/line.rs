@@ -57,6 +57,11 @@ impl Line {
         matches!(self, Line::Interface | Line::Friction | Line::CreatedByInterface | Line::ContactDamping)
     }
 
+    /// Whether it is a line of water that cannot leave its pores, which a model without any has not.
+    pub const fn of_pores(self) -> bool {
+        matches!(self, Line::PoreWater)
+    }
+
     /// Whether it is a line of bolts, which a model without any has not.
     pub const fn of_bolts(self) -> bool {
         matches!(self, Line::Bolts | Line::BoltFriction | Line::BoltPlastic)
@@ -78,6 +83,8 @@ lines! {
     Band = "band_damping", 1.0, Spent;
     /// Taken by artificial viscosity.
     Viscosity = "artificial_viscosity", 1.0, Work;
+    /// Taken by water that cannot leave its pores and by what its pressure does to the grains, beyond what they took at the start.
+    PoreWater = "pore_water", 1.0, Work;
     /// What pairs of interfaces would give back.
     Interface = "interface", 1.0, Stored;
     /// Taken by friction and breaking bonds of interfaces, as their laws book it.

@@ -1,7 +1,7 @@
 //! Laws behind a wall: what the model needs of a material without knowing its type.
 
 use crate::part::Part;
-use crate::solid::{Full, FullBricks, Layered, OnePoint, Solid};
+use crate::solid::{Full, FullBricks, Layered, OnePoint, PoresOf, Solid};
 use std::sync::Arc;
 use tremolite_laws::band::Band;
 use tremolite_laws::materials::Elastic;
@@ -48,7 +48,7 @@ pub trait AnyMaterial: Send + Sync {
     /// has no history ([`Hex8::is_brick`]). `corners` index `nodes`, which are the patch's (of layered elements numbered so that
     /// ζ is their thickness, [`tremolite_laws::shapes::hex8::turned`], as their geometry is), and `viscosity` is that of each
     /// element over its stiffness \[s\], or empty. `sizes` are the size tensors \[m²\] that the law is to see, or empty for the
-    /// elements' own.
+    /// elements' own. `pores` are those of each element whose water changes its pressure in the shaking, or empty.
     fn patch(
         &self,
         quadrature: Quadrature,
@@ -57,6 +57,7 @@ pub trait AnyMaterial: Send + Sync {
         geometry: &[Hex8],
         viscosity: &[f64],
         sizes: &[[f64; 6]],
+        pores: &[PoresOf],
         isa: Isa,
     ) -> Box<dyn Part>;
 }
@@ -149,12 +150,15 @@ impl<M: Material> AnyMaterial for Instance<M> {
         geometry: &[Hex8],
         viscosity: &[f64],
         sizes: &[[f64; 6]],
+        pores: &[PoresOf],
         isa: Isa,
     ) -> Box<dyn Part> {
         let (law, own, band) = (self.law.clone(), self.own, self.band);
         macro_rules! solid {
             ($rule:expr) => {
-                Box::new(Solid::new($rule, law, own, band, nodes, corners, geometry, viscosity, sizes, isa))
+                Box::new(Solid::new(
+                    $rule, law, own, band, nodes, corners, geometry, viscosity, sizes, pores, isa,
+                ))
             };
         }
         // Said outright, so that kernels that no patch can have are not compiled.

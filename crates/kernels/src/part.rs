@@ -2,6 +2,7 @@
 
 use crate::line::Lines;
 use crate::stage::Stage;
+use tremolite_laws::shapes::hex8::Held;
 use tremolite_laws::{Column, Octet, Row};
 
 /// What laws and loads may know of the time, which is not the scheme's: before the earthquake time stands still for
@@ -137,6 +138,8 @@ pub struct Scratch {
     pub history: Vec<Octet>,
     /// What is left at the points of an octet.
     pub left: Vec<Octet>,
+    /// What pores remember.
+    pub held: Vec<Held>,
 }
 
 /// Something that pushes on nodes. No part reads another's memory.
@@ -193,6 +196,9 @@ pub trait Part: Send + Sync {
     fn energy(&self, _x: &Motion, _kept: Kept) -> Lines {
         Lines::default()
     }
+    /// By how much \[Pa\] the pressure in the pores of each element has changed since the shaking began, added to `change`; nothing where
+    /// it stays as it is.
+    fn pressures(&self, _kept: Kept, _change: &mut [f64]) {}
     /// K w with the elastic stiffness, as the search for the stable step wants it.
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch);
     /// Forces of given stresses \[Pa\] at the points alone, ∫Bᵀσ: those of [`Part::forces`] at these stresses but for the

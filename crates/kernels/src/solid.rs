@@ -3,6 +3,7 @@
 #[cfg(target_arch = "x86_64")]
 mod apart;
 mod pass;
+mod pores;
 mod prescribed;
 mod rule;
 mod weakened;
@@ -10,8 +11,11 @@ mod weakened;
 pub use rule::{Full, FullBricks, Layered, OnePoint, Rule};
 
 use crate::line::{Line, Lines};
-use crate::part::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
+use crate::part::{ElementEnergy, Entry, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
+use crate::stage::Stage;
 use pass::{After, ONE, Pass, dispatch, dispatch_rare, products, whole};
+pub use pores::PoresOf;
+use pores::Porous;
 use prescribed::Prescribed;
 use std::sync::Arc;
 use tremolite_laws::band::{Band, BandStep};
@@ -36,6 +40,8 @@ pub struct Solid<M: Material, R: Rule> {
     viscosity: Vec<Octet>,
     /// Size tensors that the law sees in place of the elements' own, six octets an octet of elements; empty for their own.
     sizes: Vec<Octet>,
+    /// Water in the shaking, which cannot leave the pores; none without.
+    porous: Option<Porous>,
     rule: R,
 }
 
@@ -44,10 +50,11 @@ impl<M: Material, R: Rule> Solid<M, R> {
     ///
     /// `moduli` are the material's own; with a band, which adds to them, the law must have the relaxed ones. `viscosity` is
     /// that of each element over its stiffness \[s\], or empty; `sizes` are the size tensors \[m²\] that the law is to see
-    /// ([`tremolite_laws::Point::size`]), or empty for the elements' own.
+    /// ([`tremolite_laws::Point::size`]), or empty for the elements' own. `pores` are those of each element in which water changes its
+    /// pressure as the ground shakes, or empty.
     ///
     /// # Panics
-    /// If a corner is not among the nodes, or corners, geometry, viscosity and sizes differ in number.
+    /// If a corner is not among the nodes, or corners, geometry, viscosity, sizes and pores differ in number.
     pub fn new(
         rule: R,
         law: Arc<M>,
@@ -58,15 +65,18 @@ impl<M: Material, R: Rule> Solid<M, R> {
         geometry: &[Hex8],
         viscosity: &[f64],
         sizes: &[[f64; 6]],
+        pores: &[PoresOf],
         isa: Isa,
     ) -> Self {
         assert_eq!(corners.len(), geometry.len());
         assert!(viscosity.is_empty() || viscosity.len() == corners.len());
         assert!(sizes.is_empty() || sizes.len() == corners.len());
+        assert!(pores.is_empty() || pores.len() == corners.len());
         assert!(corners.iter().flatten().all(|&c| (c as usize) < nodes.len()));
         let stabilisation = Stabilisation::new(moduli);
         let bending = if M::FLOWS { Stabilisation::flowing(moduli) } else { stabilisation };
         let octets = corners.len().div_ceil(8);
+        let law_moduli = law.moduli();
         let mut index = vec![[[0; 8]; 8]; octets];
         let mut packed = vec![R::EMPTY; octets];
         for (e, (corner, hex)) in corners.iter().zip(geometry).enumerate() {
@@ -97,6 +107,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
                     })
                 })
                 .collect(),
+            porous: Porous::of(pores, geometry, law_moduli),
             rule,
         }
     }
@@ -140,7 +151,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
             history,
             band,
             overstress,
-            given: Given { strain, size: &self.sizes, moved: &[] },
+            given: Given { strain, size: &self.sizes, moved: &[], water: None },
             rows,
             out,
             probe,
@@ -158,12 +169,13 @@ impl<M: Material, R: Rule> Solid<M, R> {
         probe: Option<ProbeOut>,
         scratch: &mut Scratch,
     ) -> Lines {
-        let Scratch { rows, others, out: second, left, .. } = scratch;
+        let Scratch { rows, others, out: second, left, held, .. } = scratch;
         let viscous = !self.viscosity.is_empty() && tick.dt > 0.0;
         let band = self.band.map(|b| b.step(tick.dt, self.law.moduli(), tick.step));
         let law = self.weakened();
         let rows = self.since(x.u, own.reference, rows);
-        let Own { history, overstress, initial, .. } = own;
+        let Own { history, overstress, initial, numbers, .. } = own;
+        let (of_viscosity, of_pores) = numbers.split_at_mut(self.viscous_numbers());
         let mut pass = self.pass(tick.dt, history, band, overstress, initial, rows, out, probe);
         let every = self.law.slow_steps(tick.dt);
         let (brings, late) = match tick.step % every {
@@ -183,14 +195,22 @@ impl<M: Material, R: Rule> Solid<M, R> {
             pass.after =
                 Some(After { law: &law, rows, out: second, factor: &self.viscosity, left: self.room(left) });
         }
+        // Before the shaking, while time stands still, pressures are given.
+        let porous = self.porous.as_ref().filter(|_| tick.dt > 0.0);
+        if let Some(porous) = porous {
+            pass.given.water = Some(porous.remembered(of_pores, held));
+        }
         if PROBE {
             dispatch_rare::<R, M, true>(self.isa, &*self.law, pass);
         } else {
             dispatch::<R, M>(self.isa, &*self.law, pass);
         }
         let mut lines = Lines::default();
+        if let Some(porous) = porous {
+            lines[Line::PoreWater] = porous.remember(held, of_pores);
+        }
         if viscous {
-            lines[Line::Viscosity] = resist(1.0 / tick.dt, others, second, own.numbers, out);
+            lines[Line::Viscosity] = resist(1.0 / tick.dt, others, second, of_viscosity, out);
         }
         lines
     }
@@ -209,6 +229,21 @@ impl<M: Material, R: Rule> Solid<M, R> {
         let law = self.weakened();
         let rows = self.gather(w, rows);
         products(self.isa, &law, self.pass(0.0, &mut [], None, &mut [], &[], rows, out, None), factor, left);
+    }
+
+    /// K w of the law alone: water does not damp by ξK.
+    fn law_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
+        if R::CLOSED {
+            return self.whole_times(&[], w, out, scratch);
+        }
+        let rows = self.gather(w, &mut scratch.rows);
+        let pass = self.pass(0.0, &mut [], None, &mut [], &[], rows, out, None);
+        dispatch::<R, Elastic>(self.isa, &self.elastic, pass);
+    }
+
+    /// How many numbers artificial viscosity remembers.
+    fn viscous_numbers(&self) -> usize {
+        if self.viscosity.is_empty() { 0 } else { 3 * self.nodes.len() }
     }
 
     fn weakened(&self) -> Weakened {
@@ -241,7 +276,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         StateSizes {
             history: octets * self.rule.points() * M::HISTORY.len(),
             overstress: if self.band.is_some() { octets * self.rule.memory() } else { 0 },
-            numbers: if self.viscosity.is_empty() { 0 } else { 3 * self.nodes.len() },
+            numbers: self.viscous_numbers() + self.porous.as_ref().map_or(0, Porous::numbers),
         }
     }
 
@@ -255,6 +290,19 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
 
     fn keeps_books(&self) -> bool {
         M::HISTORY.is_empty() || M::DISSIPATION.is_some()
+    }
+
+    /// In the shaking pressures count from where it begins, which the next evaluation finds.
+    fn enter(&self, entry: &Entry, own: Own) {
+        if let Some(porous) = self.porous.as_ref().filter(|_| entry.stage == Stage::Shaking) {
+            porous.begin(&mut own.numbers[self.viscous_numbers()..]);
+        }
+    }
+
+    fn pressures(&self, kept: Kept, change: &mut [f64]) {
+        if let Some(porous) = &self.porous {
+            porous.pressures(&kept.numbers[self.viscous_numbers()..], change);
+        }
     }
 
     /// From now on displacements count from here.
@@ -282,9 +330,9 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
 
     fn damping_times(&self, u: &[Row], kept: Kept, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
         if !M::DAMAGES {
-            return self.stiffness_times(w, out, scratch);
+            return self.law_times(w, out, scratch);
         }
-        let Scratch { rows, others, out: unused, history: own, left } = scratch;
+        let Scratch { rows, others, out: unused, history: own, left, .. } = scratch;
         own.clear();
         own.extend_from_slice(kept.history);
         unused.resize(self.nodes.len(), Row::ZERO);
@@ -329,26 +377,27 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], scratch: &mut Scratch) {
-        if R::CLOSED {
-            return self.whole_times(&[], w, out, scratch);
-        }
-        let rows = self.gather(w, &mut scratch.rows);
-        dispatch::<R, Elastic>(
-            self.isa,
-            &self.elastic,
-            self.pass(0.0, &mut [], None, &mut [], &[], rows, out, None),
-        );
+        let Some(porous) = &self.porous else { return self.law_times(w, out, scratch) };
+        let Scratch { rows, held, .. } = scratch;
+        let rows = self.gather(w, rows);
+        let mut pass = self.pass(0.0, &mut [], None, &mut [], &[], rows, out, None);
+        pass.given.water = Some(porous.linear(held));
+        dispatch::<R, Elastic>(self.isa, &self.elastic, pass);
     }
 
     fn stiffness_energy(&self, w: &[Row], energy: &mut [ElementEnergy], scratch: &mut Scratch) {
         let mut out = vec![Row::ZERO; self.nodes.len()];
         let mut stress = vec![[0.0; 6]; energy.len() * self.rule.points()];
         let probe = ProbeOut { stress: &mut stress, energy };
-        let rows = self.gather(w, &mut scratch.rows);
-        dispatch_rare::<R, Elastic, true>(
-            self.isa,
-            &self.elastic,
-            self.pass(0.0, &mut [], None, &mut [], &[], rows, &mut out, Some(probe)),
-        );
+        let Scratch { rows, held, .. } = scratch;
+        let rows = self.gather(w, rows);
+        let mut pass = self.pass(0.0, &mut [], None, &mut [], &[], rows, &mut out, Some(probe));
+        if let Some(porous) = &self.porous {
+            pass.given.water = Some(porous.linear(held));
+        }
+        dispatch_rare::<R, Elastic, true>(self.isa, &self.elastic, pass);
+        if let Some(porous) = &self.porous {
+            porous.add_energy(held, energy);
+        }
     }
 }

@@ -61,6 +61,7 @@ fn words(line: &str, table: &Table, language: Language) -> String {
         "created_by_law" => say!(language, "created by law"),
         "band_damping" => say!(language, "band damping"),
         "artificial_viscosity" => say!(language, "artificial viscosity"),
+        "pore_water" => say!(language, "water that cannot leave its pores"),
         "interface" => say!(language, "held by interfaces"),
         "friction" => say!(language, "friction and broken bonds of interfaces"),
         "created_by_interface" => say!(language, "created by interface laws"),

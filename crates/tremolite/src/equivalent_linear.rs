@@ -206,6 +206,7 @@ fn column(soils: &[Soil], rock: Rock, used: &[[f64; 2]]) -> LayeredColumn {
         band: None,
         rayleigh: Rayleigh::default(),
         damping,
+        water: None,
     };
     let soft = |(soil, [modulus, damping]): (&Soil, &[f64; 2])| {
         plain(soil.thickness, soil.density, soil.speed * modulus.sqrt(), *damping)

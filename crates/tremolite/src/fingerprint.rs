@@ -145,7 +145,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
     space.shown(lives);
     space.numbers(initial.iter().flatten());
     if !water.spells.is_empty() {
-        space.numbers(&water.biot);
+        space.numbers(water.biot.iter().chain(&water.modulus));
         for spell in &water.spells {
             space.shown(&spell.from);
             space.numbers(spell.elements.iter().chain(&spell.nodes));

@@ -18,10 +18,11 @@
 
 mod slope;
 
+use crate::waves::PoreWater;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use tremolite_engine::problem::Rayleigh;
-use tremolite_engine::{Body, Top};
+use tremolite_engine::{Body, Top, Water};
 use tremolite_laws::band::Band;
 use tremolite_motion::{Complex64, transferred};
 
@@ -38,14 +39,24 @@ pub struct Layer {
     pub rayleigh: Rayleigh,
     /// D, the same at all frequencies.
     pub damping: f64,
+    /// Water that cannot leave the pores, of which only a wave of compression knows; its part of the speed is in `speed`.
+    pub water: Option<PoreWater>,
 }
 
 impl Layer {
-    /// Of a body's material as a wave sees it that moves along an axis: of compression along z, else of shear.
-    pub fn of(body: &Body, thickness: f64, axis: usize, rayleigh: Rayleigh) -> Layer {
-        let (p, s) = body.material.moduli().wave_speeds(body.density);
-        let speed = if axis == 2 { p } else { s };
-        Layer { thickness, density: body.density, speed, band: body.material.band(), rayleigh, damping: 0.0 }
+    /// Of an element of a body as a wave sees it that moves along an axis: of compression along z, else of shear.
+    pub fn of(
+        body: &Body,
+        element: u32,
+        water: &Water,
+        thickness: f64,
+        axis: usize,
+        rayleigh: Rayleigh,
+    ) -> Layer {
+        let (p, s) = water.stiffened(element as usize, body.material.moduli()).wave_speeds(body.density);
+        let (speed, water) = if axis == 2 { (p, PoreWater::of(water, element, body)) } else { (s, None) };
+        let band = body.material.band();
+        Layer { thickness, density: body.density, speed, band, rayleigh, damping: 0.0, water }
     }
 
     /// ρc \[Pa s/m\], of a dashpot.
@@ -62,8 +73,15 @@ impl Layer {
             }
             None => (Complex64::new(1.0, 0.0), 1.0),
         };
-        let modulus =
+        let of_rock =
             (elastic + s * self.rayleigh.stiffness * unrelaxed) * Complex64::new(1.0, 2.0 * self.damping);
+        let modulus = match &self.water {
+            None => of_rock,
+            Some(water) => {
+                let whole = self.density * self.speed * self.speed;
+                of_rock * (1.0 - water.stiffening / whole) + water.modulus(elastic) / whole
+            }
+        };
         let inertia = 1.0 + self.rayleigh.mass / s;
         let way = s * (inertia / modulus).sqrt() * (self.thickness / self.speed);
         (self.dashpot() * (inertia * modulus).sqrt(), way)

@@ -7,11 +7,11 @@ use tremolite_engine::ModelError;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_engine::model::Model;
-use tremolite_engine::{Life, Limit, StableStep};
+use tremolite_engine::{Body, Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{
-    BrickField, BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry, element_frequencies,
+    BrickField, BrickGeometry, FullGeometry, Hex8, LayeredGeometry, OnePointGeometry, element_frequencies,
 };
 use tremolite_results::{Said, said};
 
@@ -33,6 +33,8 @@ pub struct BodySurvey {
     pub wave_speeds: (f64, f64),
     /// 2/ω of its stiffest element alone \[s\], and that element: what the body could run with at best.
     pub element_step: f64,
+    /// The same without water that cannot leave its pores \[s\]; none where it has none.
+    pub drained_step: Option<f64>,
     pub stiffest: u32,
     /// Fewest elements a shear wave of the highest frequency has along an element's longest edge, and where.
     pub per_wavelength: f64,
@@ -60,6 +62,14 @@ impl Survey {
     }
 }
 
+/// The step \[s\] of a body's stiffest element alone if its pressures stayed; none where they do.
+fn drained_step(model: &Model, body: &Body, lasting: &[u32]) -> Option<f64> {
+    lasting.iter().find(|&&e| model.water.undrained(e as usize).is_some())?;
+    let hexes: Vec<Hex8> = lasting.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
+    let frequencies = element_frequencies(&hexes, body.material.stiffest(), body.density, body.quadrature);
+    Some(2.0 / frequencies.into_iter().fold(0.0, f64::max))
+}
+
 /// Surveys a model for waves up to `frequency` \[Hz\].
 ///
 /// # Errors
@@ -76,8 +86,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
             .par_chunks(64)
             .map(|chunk| {
                 let hexes: Vec<_> = chunk.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
-                let omegas =
-                    element_frequencies(&hexes, body.material.stiffest(), body.density, body.quadrature);
+                let omegas = model.water.frequencies(body, chunk, &hexes);
                 let mut worst = ((0.0_f64, 0), (f64::INFINITY, 0));
                 for ((&e, hex), omega) in chunk.iter().zip(&hexes).zip(omegas) {
                     let longest = 2.0 * hex.half_lengths.iter().copied().fold(0.0, f64::max);
@@ -103,6 +112,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
             density: body.density,
             wave_speeds: speeds,
             element_step: 2.0 / omega,
+            drained_step: drained_step(model, body, &lasting),
             stiffest,
             per_wavelength,
             coarsest,

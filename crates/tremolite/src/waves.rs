@@ -12,6 +12,7 @@ pub mod ground;
 pub mod heading;
 pub mod heights;
 pub mod modes;
+mod pore_water;
 pub mod resolved;
 pub mod rock;
 pub mod series;
@@ -20,6 +21,7 @@ pub mod surface;
 pub use field::{Entering, Frame, ObliqueField, Unsuitable};
 pub use ground::LayeredGround;
 pub use heading::{Heading, WaveType};
+pub use pore_water::PoreWater;
 pub use rock::{Rock, Stratum};
 
 #[cfg(test)]

@@ -104,7 +104,8 @@ pub fn shake(
     Ok((simulation, state))
 }
 
-fn corners(simulation: &Simulation, state: &State) -> Corners {
+/// Corners of elements in the first metre of y.
+pub fn corners(simulation: &Simulation, state: &State) -> Corners {
     let model = &simulation.model;
     let mut corners = Corners::new();
     let twice = |x: f64| (2.0 * x).round() as i64;

@@ -42,6 +42,9 @@ pub struct Args {
     /// With a stress that elements begin with, as ground does
     #[arg(long)]
     stressed: bool,
+    /// With water in the pores of the elements that cannot leave
+    #[arg(long)]
+    water: bool,
     /// Speed at which the top is struck (m/s); concrete cracks from some 1 m/s on
     #[arg(long, default_value_t = 0.1)]
     strike: f64,
@@ -95,6 +98,7 @@ pub fn run(args: &Args) -> Outcome {
         distorted: args.problem == "box",
         levels: args.problem == "levels",
         stressed: args.stressed,
+        water: args.water,
         strike: args.strike,
         material: Arc::clone(&material),
         isa,

@@ -3,7 +3,7 @@
 use super::base::{BaseNode, BasePart};
 use super::far_field::{along_slab, between_corners};
 use super::matrix::add;
-use super::{Base, Side, Surroundings, Top, nodal_matrices, quarter};
+use super::{Base, Side, Surroundings, Top, nodal_matrices};
 use crate::assembly::{PIECE, pieces};
 use crate::error::ModelError;
 use crate::free_field::Place;
@@ -54,7 +54,7 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
 
 /// Dashpots and springs of the base in the shaking, those of slabs and columns included.
 fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
-    let Surroundings { mesh, bodies, .. } = around;
+    let Surroundings { mesh, .. } = around;
     let engine = |n: u32| around.engine(n);
     let faces = &around.faces.planes[2][0];
     if around.asked.base != Base::Free && faces.is_empty() {
@@ -101,7 +101,7 @@ fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
     }
     for column in &around.outside.columns {
         let (Some(ring), Some(layer)) = (column.rings.first(), column.layers.first()) else { continue };
-        out.base.extend(ring.iter().map(|&n| alone(engine(n), quarter(&bodies[layer.body]))));
+        out.base.extend(ring.iter().map(|&n| alone(engine(n), around.quarter(layer))));
     }
     if around.asked.free_field.is_some() {
         given(around, &mut out.base);

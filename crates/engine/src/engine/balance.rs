@@ -15,7 +15,7 @@ use tremolite_kernels::{Booked, Line, Lines};
 struct Totals {
     /// Work of parts by line, and against dampings.
     lines: Lines,
-    /// Work on the elements of each account, less what artificial viscosity took of it.
+    /// Work on the elements of each account, less what artificial viscosity and water in pores took of it.
     bodies: Vec<f64>,
 }
 
@@ -126,7 +126,12 @@ impl Engine {
         lines[Line::SideDashpots] = sides;
         lines[Line::Levels] = levels;
         let on_elements = nodes[OF_NODES..].iter().zip(accounts);
-        Totals { lines, bodies: on_elements.map(|(work, own)| work - own[Line::Viscosity]).collect() }
+        Totals {
+            lines,
+            bodies: on_elements
+                .map(|(work, own)| work - own[Line::Viscosity] - own[Line::PoreWater])
+                .collect(),
+        }
     }
 
     /// What was booked until now.
@@ -158,7 +163,7 @@ impl Engine {
 
     /// What is seen at a state, from the forces just evaluated there, what parts remember and what was probed.
     pub(super) fn snapshot(&self, state: &State, kept: Kept, mut probed: Probed) -> Snapshot {
-        let pore = self.soak(&mut probed.stress);
+        let pore = self.soak(&mut probed.stress, &kept);
         let Forces { contributions, rates, works, .. } = &self.forces;
         let Measured { energies, books, velocity, acceleration } =
             measure(&self.model, &self.phase, contributions, &rates.products, state);

@@ -80,7 +80,7 @@ impl Engine {
         self.evaluate_at(&mut state, probed.as_mut());
         let snapshot = probed.map(|mut probed| {
             if see == See::Glance {
-                self.soak(&mut probed.stress);
+                self.soak(&mut probed.stress, &state.kept());
                 self.gather_glanced(&mut probed.stress);
                 let (step, time) = (state.steps(), state.time());
                 let Probed { stress, energy, .. } = probed;

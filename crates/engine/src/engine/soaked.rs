@@ -1,13 +1,14 @@
 //! Water in the pores of a state's elements: what it does to the strains that laws see, and to the stresses that are shown.
 
 use super::Engine;
+use crate::parts::Kept;
 use crate::state::State;
 use crate::water::{earlier, with_pressure};
 
 impl Engine {
-    /// Makes stresses of points, as laws left them, total ones; the pressure \[Pa\] in the pores of every element, nothing in a model
-    /// without water.
-    pub(super) fn soak(&self, stress: &mut [[f64; 6]]) -> Vec<f64> {
+    /// Makes stresses of points, as laws left them, total ones; the pressure \[Pa\] in the pores of every element by what parts remember,
+    /// nothing in a model without water.
+    pub(super) fn soak(&self, stress: &mut [[f64; 6]], kept: &Kept) -> Vec<f64> {
         let Engine { model, assembly, phase, .. } = self;
         if model.water.spells.is_empty() {
             return Vec::new();
@@ -17,9 +18,12 @@ impl Engine {
             let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
             let Some(patch) = member.kind.patch().map(|patch| &model.patches[patch]) else { continue };
             let points = member.part.elements().1;
-            for (i, &e) in patch.elements.iter().enumerate() {
-                let p = model.water.pressure(e as usize, phase.stage);
-                pore[slices.elements.start + i] = p;
+            let own = &mut pore[slices.elements.clone()];
+            for (p, &e) in own.iter_mut().zip(&patch.elements) {
+                *p = model.water.pressure(e as usize, phase.stage);
+            }
+            member.part.pressures(slices.kept(kept), own);
+            for (i, &mut p) in own.iter_mut().enumerate() {
                 if p != 0.0 {
                     let first = slices.points.start + i * points;
                     stress[first..first + points].iter_mut().for_each(|s| *s = with_pressure(*s, -p));

@@ -5,7 +5,7 @@
 //! elements' own inertia and stays with them. It needs neither stresses nor areas, so it is exact for every law, quadrature and
 //! damping. The coupling is one-way: the elements do not feel the side's nodes.
 
-use super::{ElementEnergy, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
+use super::{ElementEnergy, Entry, Kept, Motion, Own, Part, ProbeOut, Scratch, StateSizes, Tick};
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::{Column, Row};
 
@@ -97,6 +97,14 @@ impl Part for PassedOn {
 
     fn keeps_books(&self) -> bool {
         self.elements.keeps_books()
+    }
+
+    fn enter(&self, entry: &Entry, own: Own) {
+        self.elements.enter(entry, self.own(own).0);
+    }
+
+    fn pressures(&self, kept: Kept, change: &mut [f64]) {
+        self.elements.pressures(self.kept(kept), change);
     }
 
     fn begin(&self, x: &Motion, own: Own) {

@@ -113,7 +113,7 @@ fn bricks_of_several_points_resist_as_the_general_element_does() {
             let rows = u.map(Row::new);
             let moved: [Row; 8] = std::array::from_fn(|c| Row::new([0, 1, 2].map(|i| u[c][i] - last[c][i])));
             last = u;
-            let given = Given { strain, size, moved: &moved };
+            let given = Given { strain, size, moved: &moved, water: None };
             let bodies = band.step(dt, law.moduli(), step);
             let (point, factor) = (Point::new(dt), Octet([0.3; 8]));
             macro_rules! pass {

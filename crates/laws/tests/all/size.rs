@@ -59,7 +59,7 @@ fn both_quadratures_hand_over_half_the_second_moment_of_the_corners_or_what_they
             octet.0[0] = 1.0 + c as f64;
             octet
         });
-        let given = Given { moved: &[], strain: &[], size: &other };
+        let given = Given { size: &other, ..Given::NONE };
         let both = [(Given::NONE, exact), (given, other.map(|octet| octet.0[0]))];
         for ((given, exact), points) in both.into_iter().flat_map(|one| [(one, 1), (one, 8), (one, 36)]) {
             let mut out = [Row::ZERO; 8];

@@ -10,6 +10,7 @@ pub const TEXTS: Texts = &[
     ("created by law", "本构产生"),
     ("band damping", "频带阻尼"),
     ("artificial viscosity", "人工黏性"),
+    ("water that cannot leave its pores", "不排水孔隙水"),
     ("held by interfaces", "接触面储能"),
     ("friction and broken bonds of interfaces", "接触面摩擦与粘结破坏"),
     ("created by interface laws", "接触面本构产生"),

@@ -183,6 +183,33 @@ pub const TEXTS: Texts = &[
         "largest ratio of all rows, at {time} s: energy of the one-point elements' stabilisation, bending that their one point misses",
         "各数据行中的最大比值，出现在 {time} s：单点积分单元沙漏控制的能量，即其单个积分点未计及的弯曲",
     ),
+    // Water in pores.
+    ("pressures stay as the stages leave them", "孔隙水压力保持各阶段结束时的值"),
+    ("wet ground whose water boils", "孔隙水汽化的含水地层"),
+    (
+        "largest share of the volume of wet ground at −100 kPa, at {time} s; pressures lie between {least} and {most} MPa. What happens once water has boiled is not modelled",
+        "含水地层中孔压降至 −100 kPa 的最大体积占比，出现在 {time} s；孔压介于 {least} 与 {most} MPa 之间。汽化之后的行为未予模拟",
+    ),
+    ("wet ground in which water exceeds the least pressure", "孔压超过最小总压应力的含水地层"),
+    (
+        "largest share of the volume of wet ground with an effective principal stress in tension, at {time} s: water would open cracks there and flow into them, which is not modelled",
+        "含水地层中有效主应力受拉的最大体积占比，出现在 {time} s：水会在该处劈开裂缝并流入其中，未予模拟",
+    ),
+    (
+        "way of the water in the earthquake over the element at drained ground",
+        "地震期间水的运移距离与排水边界处单元尺寸之比",
+    ),
+    ("no permeability is given", "未给出渗透系数"),
+    ("wet ground ends nowhere", "含水地层没有排水边界"),
+    (
+        "√(c_v T) over the shortest extent, largest in {element}: so far from voids and drained ground water does leave, and pressures change by less",
+        "√(c_v T) 与最短尺寸之比，最大值位于{element}：距空洞与已排水地层这一距离以内水会流出，孔压变化较小",
+    ),
+    ("elements whose water cannot leave in the earthquake", "地震中不排水的单元数"),
+    (
+        "they had water in their pores when it began; which of drained and undrained moves a lining more depends on the case: run it with [water] earthquake = \"drained\" as well",
+        "地震开始时其孔隙含水；排水与不排水何者使衬砌变形更大因算例而异：请同时以 [water] earthquake = \"drained\" 计算",
+    ),
     // Materials.
     ("monitors on broken elements", "位于断裂单元上的监测点"),
     ("no monitor is in a material that can crack", "没有监测点位于会开裂的材料中"),

@@ -8,8 +8,15 @@ use tremolite_laws::band::Band;
 use tremolite_motion::{Channel, Motion, Process, process};
 
 const NONE: Rayleigh = Rayleigh { mass: 0.0, stiffness: 0.0 };
-const ROCK: Layer =
-    Layer { thickness: 100.0, density: 2700.0, speed: 2000.0, band: None, rayleigh: NONE, damping: 0.0 };
+const ROCK: Layer = Layer {
+    thickness: 100.0,
+    density: 2700.0,
+    speed: 2000.0,
+    band: None,
+    rayleigh: NONE,
+    damping: 0.0,
+    water: None,
+};
 const SOIL: Layer = Layer { thickness: 20.0, density: 1900.0, speed: 300.0, damping: 0.05, ..ROCK };
 
 fn place(layers: &[Layer], height: f64) -> Place {

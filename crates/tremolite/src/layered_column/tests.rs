@@ -6,8 +6,15 @@ use std::f64::consts::TAU;
 const NONE: Rayleigh = Rayleigh { mass: 0.0, stiffness: 0.0 };
 
 /// Soil, which a case may put on rock.
-const SOIL: Layer =
-    Layer { thickness: 200.0, density: 2752.3, speed: 1000.0, band: None, rayleigh: NONE, damping: 0.0 };
+const SOIL: Layer = Layer {
+    thickness: 200.0,
+    density: 2752.3,
+    speed: 1000.0,
+    band: None,
+    rayleigh: NONE,
+    damping: 0.0,
+    water: None,
+};
 const ROCK: Layer = Layer { thickness: 100.0, speed: 2300.0, ..SOIL };
 const HOMOGENEOUS: Layer = Layer { thickness: 240.0, speed: 1200.0, ..SOIL };
 

@@ -193,7 +193,8 @@ fn cells(columns: &[Watched], theory: &[Option<usize>], beside: &[(Subject, Heig
 pub fn layered(model: &Model, column: &Ground) -> Option<[LayeredColumn; 3]> {
     let along = |axis: usize| {
         let layers = column.layers.iter().map(|layer| {
-            Layer::of(&model.bodies[layer.body], layer.top - layer.bottom, axis, model.scheme.rayleigh)
+            let (body, thickness) = (&model.bodies[layer.body], layer.top - layer.bottom);
+            Layer::of(body, layer.element, &model.water, thickness, axis, model.scheme.rayleigh)
         });
         LayeredColumn::new(layers, model.boundaries.top)
     };

@@ -16,6 +16,7 @@ mod interfaces;
 mod observer;
 mod onsets;
 mod own_tables;
+mod pore_water;
 pub mod recorded;
 mod ringing;
 mod rows;
@@ -46,6 +47,7 @@ pub use observer::{
 pub use onsets::{Onsets, memory_key as onset_memory};
 pub use own_tables::add_row;
 pub(crate) use own_tables::forget as forget_own_tables;
+pub use pore_water::{Extreme as WaterExtreme, PoreWater, PoreWaterSeen, undrained};
 pub use ringing::{Ringing, Rings};
 pub use rows::{Cell, Seen, cells};
 pub use section_forces::{SectionForces, SectionTable};
@@ -84,6 +86,7 @@ const OF_SHAKING: &[fn(&Setting) -> Made] = &[
     |s| boxed(Some(StepPeaks::new(s))),
     |s| boxed(Some(Energy::new(s)?)),
     |s| boxed(Some(Envelopes::new(s))),
+    |s| boxed(PoreWater::new(s)),
     |s| boxed(FreeField::new(s)?),
     |s| boxed(AtCorners::new(s)?),
     |s| boxed(recorded::AtRecord::new(s)),

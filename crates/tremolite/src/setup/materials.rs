@@ -1,5 +1,6 @@
 //! What reports say of the materials: what was given, what was filled in, what the laws made of it.
 
+use super::undrained;
 use crate::phrases::clauses;
 use crate::units::unit;
 use indexmap::IndexMap;
@@ -47,7 +48,11 @@ pub fn facts(
                 damping: damping.to_string(),
                 damping_said: damping.clone(),
                 groups: Vec::new(),
-                values: values(case, material, parameters, &*body.material, range(mesh, elements)),
+                values: [
+                    values(case, material, parameters, &*body.material, range(mesh, elements)),
+                    undrained::values(case, material, body),
+                ]
+                .concat(),
             }
         });
         facts.groups.push(MaterialGroup {

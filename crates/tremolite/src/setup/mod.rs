@@ -27,6 +27,7 @@ mod soaked;
 mod soil;
 mod stages;
 mod target;
+pub(crate) mod undrained;
 pub(crate) mod unlikely;
 mod warnings;
 mod water;
@@ -45,7 +46,7 @@ use indexmap::IndexMap;
 use stages::Staged;
 use std::path::Path;
 use tremolite_case::{self as case, Case, Report};
-use tremolite_engine::{Base, Body, Interface, Life, Problem, Rayleigh, TimeStep, column};
+use tremolite_engine::{Base, Body, Interface, Life, Problem, Rayleigh, TimeStep, Water, column};
 use tremolite_kernels::{InterfaceLaw, Law, interface_laws, laws};
 use tremolite_laws::Isa;
 use tremolite_laws::band::Band;
@@ -207,8 +208,13 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let (motion, mut facts) = motion.unzip();
     let rayleigh =
         Rayleigh { mass: case.dynamic.rayleigh.mass.value, stiffness: case.dynamic.rayleigh.stiffness.value };
+    let in_pores = match undrained::is_undrained(case) {
+        true => water::of(case, &staged.materials, &mesh, &lasting),
+        false => Water::default(),
+    };
     let around = || site::Around {
         bodies: &lasting,
+        water: &in_pores,
         rayleigh,
         top: sides::top(case.dynamic.top.value),
         grounds: grounds(&mesh, &lasting, &interfaces, staged.lives()),
@@ -226,6 +232,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
                     case,
                     mesh: &mesh,
                     bodies: &lasting,
+                    water: &in_pores,
                     lives: staged.lives(),
                 };
                 driven.check(&planned.frame.ground, &interfaces, &mut problems);
@@ -302,7 +309,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(soaked::warnings(case, &problem, &staged));
     let made_of = staged.materials.clone();
     warnings.extend(staged.fill(case, &mut problem));
-    water::fill(case, &made_of, &mut problem);
+    problem.water = water::of(case, &made_of, &problem.mesh, &problem.bodies);
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),

@@ -10,12 +10,14 @@ use crate::plan::Recorded;
 use tremolite_case::{self as case, Diagnostic, Site, SiteLayer, Softening};
 use tremolite_engine::column::{Ground, corner_name};
 use tremolite_engine::problem::Rayleigh;
-use tremolite_engine::{Body, Incident, Top};
+use tremolite_engine::{Body, Incident, Top, Water};
 use tremolite_motion::{Motion, frequency_below, highest_frequency};
 
 /// What of a model the way of a wave depends on.
 pub struct Around<'a> {
     pub bodies: &'a [Body],
+    /// In the pores of these.
+    pub water: &'a Water,
     pub rayleigh: Rayleigh,
     pub top: Top,
     /// The ground at the corners, or why there is none, in words that may stand behind 'but'.
@@ -166,7 +168,8 @@ fn place(motion: &case::Motion, around: &Around, recorded: &soil::Recorded) -> R
     let own = |corner: usize| {
         let layers = |axis: usize| -> Vec<Layer> {
             let layer = |l: tremolite_engine::column::Layer| {
-                Layer::of(&around.bodies[l.body], l.top - l.bottom, axis, around.rayleigh)
+                let body = &around.bodies[l.body];
+                Layer::of(body, l.element, around.water, l.top - l.bottom, axis, around.rayleigh)
             };
             grounds[corner].layers().map(layer).collect()
         };
@@ -177,7 +180,8 @@ fn place(motion: &case::Motion, around: &Around, recorded: &soil::Recorded) -> R
     if let Some(Site::Layers(given)) = &motion.site {
         let base = |corner: usize, axis: usize| {
             let lowest = grounds[corner].layers().next()?;
-            Some(Layer::of(&around.bodies[lowest.body], 0.0, axis, around.rayleigh))
+            let body = &around.bodies[lowest.body];
+            Some(Layer::of(body, lowest.element, around.water, 0.0, axis, around.rayleigh))
         };
         if (1..4).any(|corner| (0..3).any(|axis| base(corner, axis) != base(0, axis))) {
             return Err(refuse(
@@ -261,6 +265,7 @@ fn of_site(layer: &SiteLayer, soil: Option<&SoilFacts>, axis: usize) -> Layer {
         band: None,
         rayleigh: Rayleigh::default(),
         damping,
+        water: None,
     }
 }
 

@@ -1,6 +1,7 @@
 //! What of a case's ground stands in water: what may not, what weighs more for it, and what is unusual.
 
 use super::stages::Staged;
+use super::undrained;
 use super::water::{levels, mean, pores};
 use std::collections::{BTreeMap, BTreeSet};
 use tremolite_case::{Case, Diagnostic, MaterialWater};
@@ -18,6 +19,7 @@ pub fn soak(
 ) {
     if case.water.is_some() && problems.is_empty() {
         check(case, mesh, bodies, staged, problems);
+        undrained::check(case, bodies, &staged.materials, problems);
         saturate(case, mesh, bodies, staged);
     }
 }

@@ -1,9 +1,10 @@
 //! Water of a case: pressures by level in each stage, and what of the ground has pores.
 
+use super::undrained::{Undrained, is_undrained};
 use tremolite_case::{Case, LateralOf, MaterialWater, Pores};
 use tremolite_engine::hexahedra::{hex, hex_nodes};
 use tremolite_engine::water::Spell;
-use tremolite_engine::{Problem, Stage, Water};
+use tremolite_engine::{Body, Stage, Water};
 use tremolite_laws::Dimension;
 use tremolite_laws::shapes::hex8::{gauss_point, shape_values};
 use tremolite_mesh::Mesh;
@@ -54,19 +55,22 @@ pub fn beside_lateral(case: &Case, mesh: &Mesh, materials: &[usize], at_start: &
     at_start.iter().enumerate().map(of).collect()
 }
 
-/// Puts the water into a problem whose elements are all there; `materials` are those of its bodies.
-pub fn fill(case: &Case, materials: &[usize], space: &mut Problem) {
+/// The water of a mesh with these bodies, which are of these materials.
+pub fn of(case: &Case, materials: &[usize], mesh: &Mesh, bodies: &[Body]) -> Water {
     let levels = levels(case);
     if levels.is_empty() {
-        return;
+        return Water::default();
     }
-    let mut biot = vec![0.0; space.mesh.elements.len()];
-    for (body, &material) in space.bodies.iter().zip(materials) {
+    let mut biot = vec![0.0; mesh.elements.len()];
+    let mut modulus = if is_undrained(case) { biot.clone() } else { Vec::new() };
+    for (body, &material) in bodies.iter().zip(materials) {
         if let Some(pores) = pores(case, material) {
             body.elements.iter().for_each(|&e| biot[e as usize] = pores.biot.value);
+            if let Some(of) = Undrained::of(case, pores, body.material.relaxed()) {
+                body.elements.iter().for_each(|&e| modulus[e as usize] = of.modulus);
+            }
         }
     }
-    let mesh = &space.mesh;
     let usable = |e: usize| hex(mesh, e).is_ok();
     let mut spells: Vec<Spell> = Vec::new();
     for (k, &level) in levels.iter().enumerate() {
@@ -80,7 +84,7 @@ pub fn fill(case: &Case, materials: &[usize], space: &mut Problem) {
             nodes: mesh.nodes.iter().map(|x| pressure(case, level, x[2])).collect(),
         });
     }
-    space.water = Water { biot, spells };
+    Water { biot, modulus, spells }
 }
 
 /// A height as people write it.

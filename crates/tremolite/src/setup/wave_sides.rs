@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use tremolite_case::{self as case, Case, Diagnostic};
 use tremolite_engine::column::SIDES;
 use tremolite_engine::outer_faces::{OuterFaces, near};
-use tremolite_engine::{Body, Interface, Life};
+use tremolite_engine::{Body, Interface, Life, Water};
 use tremolite_laws::parameter::position;
 use tremolite_mesh::topology::vector_areas;
 use tremolite_mesh::{Face, Mesh};
@@ -20,6 +20,8 @@ pub struct Driven<'a> {
     pub mesh: &'a Mesh,
     /// With the elements that are there in the shaking.
     pub bodies: &'a [Body],
+    /// In the pores of these.
+    pub water: &'a Water,
     pub lives: &'a [Life],
     /// Of the mesh \[m\].
     pub bounds: ([f64; 3], [f64; 3]),
@@ -64,7 +66,8 @@ impl Driven<'_> {
     pub fn check(&self, ground: &LayeredGround, interfaces: &[Interface], problems: &mut Vec<Diagnostic>) {
         let (mesh, bounds) = (self.mesh, self.bounds);
         let (body_of, faces) = (self.body_of(), self.faces());
-        let rocks: Vec<Rock> = self.bodies.iter().map(|body| Rock::of(body, self.rayleigh())).collect();
+        let rock =
+            |b: usize, e: usize| Rock::in_water(&self.bodies[b], e as u32, self.water, self.rayleigh());
         let joints = self.joints(interfaces);
         for plane in self.planes() {
             let level = [bounds.0, bounds.1][plane.end][plane.axis];
@@ -75,7 +78,7 @@ impl Driven<'_> {
                 Some(b) => {
                     let life = self.lives[e];
                     let (stratum, _) = ground.stratum_at(self.middle(e)[2] - bounds.0[2]);
-                    life.is_later() || life.gone.is_some() || rocks[b] != ground.strata()[stratum].rock
+                    life.is_later() || life.gone.is_some() || rock(b, e) != ground.strata()[stratum].rock
                 }
             };
             let apart = |e: usize| {

@@ -110,7 +110,7 @@ fn ground(motion: &case::Motion, around: &Around) -> Result<LayeredGround, Diagn
     let of = |ground: &Ground| {
         let strata = ground.layers().map(|layer| Stratum {
             thickness: layer.top - layer.bottom,
-            rock: Rock::of(&around.bodies[layer.body], around.rayleigh),
+            rock: Rock::in_water(&around.bodies[layer.body], layer.element, around.water, around.rayleigh),
         });
         LayeredGround::new(strata, around.top)
     };

@@ -13,6 +13,7 @@ mod mass_damping;
 mod material;
 mod moved;
 mod near_sides;
+mod pore_water;
 mod rows;
 mod seam;
 mod waves;
@@ -41,6 +42,7 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
         lines.extend(waves::record(evidence));
         lines.extend(energy::lines(evidence));
         lines.push(fibres::line(evidence));
+        lines.extend(pore_water::lines(evidence));
     }
     lines.extend(interface::lines(evidence));
     lines.extend(lining_closure::lines(evidence));
@@ -85,6 +87,7 @@ pub(crate) fn facts(evidence: &Evidence) -> Vec<Fact> {
         ),
     ];
     facts.extend(material::facts(model));
+    facts.extend(pore_water::fact(evidence));
     facts.extend(before::facts(evidence));
     tell_apart(facts.iter_mut().map(|fact| &mut fact.id));
     facts

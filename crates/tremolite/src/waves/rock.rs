@@ -1,7 +1,8 @@
 //! Rock as waves of one frequency see it.
 
-use tremolite_engine::Body;
+use super::pore_water::PoreWater;
 use tremolite_engine::problem::Rayleigh;
+use tremolite_engine::{Body, Water};
 use tremolite_laws::band::Band;
 use tremolite_motion::Complex64;
 
@@ -15,6 +16,8 @@ pub struct Rock {
     pub s: f64,
     pub band: Option<Band>,
     pub rayleigh: Rayleigh,
+    /// Water that cannot leave the pores; its part of c_p is in `p`.
+    pub water: Option<PoreWater>,
 }
 
 /// A horizontal layer.
@@ -30,21 +33,28 @@ pub struct Stratum {
 pub struct Seen {
     /// ρ I \[kg/m³\], I = 1 + ω_R/s.
     pub inertia: Complex64,
-    /// G and λ + 2G \[Pa\], both by the same factor M_band(s) + sξ M_∞ over the material's own.
+    /// G and λ + 2G \[Pa\], both by the same factor M_band(s) + sξ M_∞ over the material's own, with what water adds to the second.
     pub shear: Complex64,
     pub pressure: Complex64,
 }
 
 impl Rock {
-    /// Of a body's material.
+    /// Of a body's material, without water.
     pub fn of(body: &Body, rayleigh: Rayleigh) -> Rock {
         let (p, s) = body.material.moduli().wave_speeds(body.density);
-        Rock { density: body.density, p, s, band: body.material.band(), rayleigh }
+        Rock { density: body.density, p, s, band: body.material.band(), rayleigh, water: None }
+    }
+
+    /// Of an element of a body, with the water in its pores.
+    pub fn in_water(body: &Body, element: u32, water: &Water, rayleigh: Rayleigh) -> Rock {
+        let (p, _) = water.stiffened(element as usize, body.material.moduli()).wave_speeds(body.density);
+        Rock { p, water: PoreWater::of(water, element, body), ..Rock::of(body, rayleigh) }
     }
 
     /// The same without damping.
     pub fn undamped(self) -> Rock {
-        Rock { band: None, rayleigh: Rayleigh::default(), ..self }
+        let water = self.water.map(PoreWater::undamped);
+        Rock { band: None, rayleigh: Rayleigh::default(), water, ..self }
     }
 
     /// At a complex frequency s \[1/s\] of positive imaginary part. Inertia and modulus are those of
@@ -62,7 +72,13 @@ impl Rock {
         Seen {
             inertia: (1.0 + self.rayleigh.mass / s) * self.density,
             shear: modulus(self.s),
-            pressure: modulus(self.p),
+            pressure: match &self.water {
+                None => modulus(self.p),
+                Some(water) => {
+                    let drained = self.density * self.p * self.p - water.stiffening;
+                    factor * drained + water.modulus(elastic)
+                }
+            },
         }
     }
 

@@ -14,7 +14,7 @@ use tremolite_motion::{Complex64, Motion, Sample};
 
 /// ν = 0.3: at 0.25 several angles are special.
 fn rock(density: f64, s: f64) -> Rock {
-    Rock { density, s, p: s * 3.5_f64.sqrt(), band: None, rayleigh: Rayleigh::default() }
+    Rock { density, s, p: s * 3.5_f64.sqrt(), band: None, rayleigh: Rayleigh::default(), water: None }
 }
 
 fn stratum(thickness: f64, density: f64, s: f64) -> Stratum {
@@ -191,6 +191,7 @@ fn straight_up_it_is_the_layered_column() {
                 band: rock.band,
                 rayleigh: rock.rayleigh,
                 damping: 0.0,
+                water: None,
             });
             let column = LayeredColumn::new(layers, top).unwrap();
             for hertz in [0.5, 3.0, 15.0] {

@@ -42,6 +42,7 @@ mod soft_layers;
 mod spectra;
 mod staged;
 mod stages;
+mod undrained;
 mod viscosity;
 mod water;
 mod waves_at_angles;

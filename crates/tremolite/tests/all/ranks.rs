@@ -235,8 +235,9 @@ fn pit() -> Case {
     case
 }
 
-/// The same with water that falls as the pit is dug: in pores of what does not crack, whose grains give way, and in the joint.
-fn wet_pit(levels: bool) -> Case {
+/// The same with water that falls as the pit is dug: in pores of what does not crack, whose grains give way, and in the joint. Undrained it
+/// cannot leave these pores in the shaking.
+fn wet_pit(levels: bool, undrained: bool) -> Case {
     let dry = pit();
     let mut problem = pit_problem();
     problem.interfaces[0].water = Some(0.6);
@@ -251,8 +252,8 @@ fn wet_pit(levels: bool) -> Case {
     };
     let mut biot = vec![0.7; problem.mesh.elements.len()];
     problem.bodies[1].elements.iter().for_each(|&e| biot[e as usize] = 0.0);
-    let water = tremolite::Water { biot, spells: vec![spell(0, 12.0), spell(2, 6.0)] };
-    problem.water = water;
+    let modulus = if undrained { vec![2e9; biot.len()] } else { Vec::new() };
+    problem.water = tremolite::Water { biot, modulus, spells: vec![spell(0, 12.0), spell(2, 6.0)] };
     let ready = Ready::new(problem);
     let ready = if levels { ready.levelled(|[_, _, z]| (z / 3.0) as u8) } else { ready };
     Case::of(ready, Plan { water: true, ..dry.plan })
@@ -260,16 +261,18 @@ fn wet_pit(levels: bool) -> Case {
 
 #[test]
 fn water_in_pores_and_joints_gives_the_same_on_several_ranks_with_levels_or_without() {
-    let [dry, wet] = [pit().alone(), wet_pit(false).alone()];
+    let [dry, wet, undrained] = [pit(), wet_pit(false, false), wet_pit(false, true)].map(|case| case.alone());
     assert!(dry.1 != wet.1, "water changes something");
-    for levels in [false, true] {
-        wet_pit(levels).holds(&format!("wet pit, levels {levels}"), &SOME[..2]);
+    assert!(wet.1 != undrained.1, "so does it if it cannot leave");
+    for (levels, undrained) in [(false, false), (false, true), (true, true)] {
+        wet_pit(levels, undrained)
+            .holds(&format!("wet pit, levels {levels}, undrained {undrained}"), &SOME[..2]);
     }
 }
 
 #[test]
 fn a_run_with_water_goes_on_where_it_was_stopped_in_the_stage_that_changes_it() {
-    let case = wet_pit(false);
+    let case = wet_pit(false, true);
     let whole = case.alone();
     let parent = tempfile::tempdir().unwrap();
     let results = ResultFolder::create(Some(&parent.path().join("parts")), "ranks", true).unwrap();

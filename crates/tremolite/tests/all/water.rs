@@ -113,7 +113,6 @@ fn what_is_not_there_yet_or_has_no_water_is_refused_with_a_way_out() {
     };
     let level = "level = \"-50 m\"";
     refused(level, &format!("{level}\npressure = \"seepage\""), &["not in this version", "level"]);
-    refused(level, &format!("{level}\nearthquake = \"undrained\""), &["not in this version", "drained"]);
     refused(level, &format!("{level}\nheads = {{}}"), &["not available yet", "seepage"]);
     refused("water = { biot = 0.8 }\n", "", &["below the water level", "none"]);
     refused("[water]\nlevel = \"-50 m\"\n", "", &["only where there is water"]);

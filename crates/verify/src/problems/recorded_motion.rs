@@ -82,6 +82,7 @@ fn errors(h: f64, depth: f64) -> Result<[f64; 2], VerifyError> {
         band: Some(band),
         rayleigh: Rayleigh::default(),
         damping: 0.0,
+            water: None,
     };
     let layered = |axis: usize| {
         LayeredColumn::new([own(1, axis), own(0, axis)], Top::Free)

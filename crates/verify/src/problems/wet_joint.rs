@@ -87,7 +87,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
 fn even(mesh: &Mesh, alpha: f64, elements: f64, nodes: f64) -> Water {
     let (count, places) = (mesh.elements.len(), mesh.nodes.len());
     let spell = Spell { from: Stage::Before(0), elements: vec![elements; count], nodes: vec![nodes; places] };
-    Water { biot: vec![alpha; count], spells: vec![spell] }
+    Water { biot: vec![alpha; count], spells: vec![spell], ..Water::default() }
 }
 
 /// Two bricks one on the other, nodes between them doubled.
@@ -265,7 +265,7 @@ fn lining(how: Joined) -> Result<f64, VerifyError> {
     };
     let mut biot = vec![0.0; mesh.elements.len()];
     rock.iter().for_each(|&e| biot[e as usize] = 1.0);
-    problem.water = Water { biot, spells: vec![spell(0, &drained), spell(1, &|_| HEAD)] };
+    problem.water = Water { biot, spells: vec![spell(0, &drained), spell(1, &|_| HEAD)], ..Water::default() };
     if how != Joined::Tied {
         let strength = if how == Joined::Bonded { 5e6 } else { 0.0 };
         let mut numbers = vec![("normal_stiffness", STIFF), ("friction", 0.0), ("cohesion", strength)];

@@ -172,7 +172,7 @@ fn open(quadrature: Quadrature, alpha: Option<f64>, yields: bool, around: u32) -
     if let Some(alpha) = alpha {
         let mut biot = vec![alpha; count];
         biot[apart as usize] = 0.0;
-        problem.water = Water { biot, spells: spells(&problem.mesh, apart) };
+        problem.water = Water { biot, spells: spells(&problem.mesh, apart), ..Water::default() };
     }
     let opened = Rested::new(problem, &[release(1.0), release(1.0)])?;
     let [wall, ..] = rings.inwards(&opened, WALL);

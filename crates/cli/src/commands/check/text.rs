@@ -261,7 +261,12 @@ fn print_materials(checked: &Checked, lines: Lines) {
         for group in &facts.groups {
             let body = checked.job.survey.bodies.iter().find(|b| b.name == group.names);
             let shaken = body.filter(|_| checked.job.motion.is_some());
-            let step = shaken.map_or(String::new(), |b| format!(", could run at {:.3e} s", b.element_step));
+            let step = shaken.map_or(String::new(), |b| match b.drained_step {
+                Some(drained) => {
+                    format!(", could run at {:.3e} s (at {drained:.3e} s drained)", b.element_step)
+                }
+                None => format!(", could run at {:.3e} s", b.element_step),
+            });
             let names = if lines == Lines::All { group.names.clone() } else { brief(&group.names) };
             print(&format!("             {} {} in {names}{step}", group.elements, group.element));
         }
@@ -269,6 +274,15 @@ fn print_materials(checked: &Checked, lines: Lines) {
         let waves = format!(", c_p {p:.0} m/s, c_s {s:.0} m/s; damping: {damping}");
         let waves = if checked.job.motion.is_some() { waves } else { String::new() };
         print(&format!("             {density:.0} kg/m3{waves}"));
+        let of = |name: &str| facts.values.iter().find(|value| value.name == name).map(|value| value.value);
+        if let [Some(b), Some(bulk), Some(speed)] =
+            ["skempton_coefficient", "undrained_bulk_modulus", "undrained_wave_speed_p"].map(of)
+        {
+            let bulk = units::format(rounded(bulk), Dimension::PRESSURE);
+            print(&format!(
+                "             undrained: B {b:.3}, K_u {bulk}, c_p {speed:.0} m/s where there is water"
+            ));
+        }
         let constants = [("parameters", false), ("derived", true)];
         for (words, derived) in constants.into_iter().take(if lines == Lines::All { 2 } else { 1 }) {
             let values = facts.values.iter().filter(|v| (v.origin == Origin::Derived) == derived);

@@ -266,6 +266,20 @@ impl FieldShape for BrickField {
 
     /// 4 ℓ_k² on the diagonal, in the frame of the edges.
     #[inline(always)]
+    fn dilatation<L: Lane>(&self, e: &[[L; 8]; 6], _: &Scale, _: usize) -> L {
+        e[0][0] + e[1][0] + e[2][0]
+    }
+
+    #[inline(always)]
+    fn press<L: Lane>(&self, resultants: &mut [[L; 8]; 6], pressure: L, _: &Scale, _: usize) {
+        let mut c = 0;
+        while c < 3 {
+            resultants[c][0] = resultants[c][0] - pressure;
+            c += 1;
+        }
+    }
+
+    #[inline(always)]
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L> {
         if given.size.len() >= 6 {
             return self.turned(&super::load_tensor(given.size, at), at);

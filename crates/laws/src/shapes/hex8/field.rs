@@ -51,6 +51,12 @@ pub trait FieldShape: Copy + Send + Sync + 'static {
     /// Modal forces from the resultants of the strain's modes, Σ weight · stress · ±1.
     fn forces<L: Lane>(&self, resultants: [[L; 8]; 6], scale: &Scale, at: usize) -> [[L; 8]; 3];
 
+    /// Mean dilatation over the volume, from the coefficients.
+    fn dilatation<L: Lane>(&self, e: &[[L; 8]; 6], scale: &Scale, at: usize) -> L;
+
+    /// Takes a pressure times the volume off the resultants of stresses.
+    fn press<L: Lane>(&self, resultants: &mut [[L; 8]; 6], pressure: L, scale: &Scale, at: usize);
+
     /// The size tensor that a law sees ([`crate::Point::size`]).
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L>;
 
@@ -286,6 +292,35 @@ impl FieldShape for Field {
             modal_forces::<L, 1>(b, x, axes, &resultants, &conjugate, at),
             modal_forces::<L, 2>(b, x, axes, &resultants, &conjugate, at),
         ]
+    }
+
+    #[inline(always)]
+    fn dilatation<L: Lane>(&self, e: &[[L; 8]; 6], scale: &Scale, at: usize) -> L {
+        let means = self.means::<L>(scale, at);
+        let mut mean = e[0][0] + e[1][0] + e[2][0];
+        let mut k = 0;
+        while k < 6 {
+            let mode = STRAIN_MODES[k];
+            mean = means[k].mul_add(e[0][mode] + e[1][mode] + e[2][mode], mean);
+            k += 1;
+        }
+        mean
+    }
+
+    #[inline(always)]
+    fn press<L: Lane>(&self, resultants: &mut [[L; 8]; 6], pressure: L, scale: &Scale, at: usize) {
+        let means = self.means::<L>(scale, at);
+        let mut c = 0;
+        while c < 3 {
+            resultants[c][0] = resultants[c][0] - pressure;
+            let mut k = 0;
+            while k < 6 {
+                let mode = STRAIN_MODES[k];
+                resultants[c][mode] = means[k].neg_mul_add(pressure, resultants[c][mode]);
+                k += 1;
+            }
+            c += 1;
+        }
     }
 
     #[inline(always)]

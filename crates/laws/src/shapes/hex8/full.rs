@@ -1,6 +1,7 @@
 //! 2×2×2 quadrature of the assumed-strain field.
 
 use super::field::{Field, FieldShape, G, Scale};
+use super::pores::Pressed;
 use super::{Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal};
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
@@ -101,6 +102,12 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
         // SAFETY: passed on to the caller.
         let modes = unsafe { gather_modes::<L>(rows, index, at) };
         let mut e = field.strain::<L>(&modes, &SCALE, given.strain, at);
+        let mut pressed = Pressed::<L>::none();
+        if let Some(water) = &given.water {
+            let dilatation = field.dilatation(&e, &SCALE, at) - super::dilatation(given.strain, at);
+            pressed = water.press(dilatation, at);
+            super::widen(&mut e, &pressed);
+        }
         G::Field::to_points(&mut e);
 
         // The law at the eight points; strains make room for weighted stresses.
@@ -161,6 +168,9 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
             p += 1;
         }
         if PROBE {
+            if let Some(water) = &given.water {
+                energy = energy - water.given(&pressed, at);
+            }
             energy.store(&mut probe.strain_energy, at);
             dissipated.store(&mut probe.dissipated, at);
             created.store(&mut probe.created, at);
@@ -169,6 +179,10 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
 
         // Back the same way.
         G::Field::to_resultants(&mut e);
+        if let Some(water) = &given.water {
+            let less = water.book(e[0][0] + e[1][0] + e[2][0], &pressed, at);
+            field.press(&mut e, less, &SCALE, at);
+        }
         let mut forces = field.forces::<L>(e, &SCALE, at);
         store_nodal(&mut forces, &mut nodal, at);
         at += L::WIDTH;

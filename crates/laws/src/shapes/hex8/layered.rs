@@ -12,6 +12,7 @@ use super::bodies::{self, Bodies};
 use super::field::{Field, FieldShape, G, Scale};
 use super::geometry::determinant_at;
 use super::layer::{LayeredShape, add_elastic, add_layer, elastic_energy, in_layer, moments, of_point};
+use super::pores::Pressed;
 use super::quadrature::Through;
 use super::{Given, Hex8, LEFT, Probe, Stabilisation, gather_modes, gauss_point, scatter_nodal, store_nodal};
 use crate::band::BandStep;
@@ -125,7 +126,13 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
     while at < 8 {
         // SAFETY: passed on to the caller.
         let modes = unsafe { gather_modes::<L>(rows, index, at) };
-        let e = field.strain::<L>(&modes, &SCALE, given.strain, at);
+        let mut e = field.strain::<L>(&modes, &SCALE, given.strain, at);
+        let mut pressed = Pressed::<L>::none();
+        if let Some(water) = &given.water {
+            let dilatation = field.dilatation(&e, &SCALE, at) - super::dilatation(given.strain, at);
+            pressed = water.press(dilatation, at);
+            super::widen(&mut e, &pressed);
+        }
         let zero = L::splat(0.0);
         let mut taken = zero;
         let mut band = match band {
@@ -217,12 +224,19 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
             bodies::book(step, taken, overstress, at);
         }
         if PROBE {
+            if let Some(water) = &given.water {
+                energy = energy - water.given(&pressed, at);
+            }
             energy.store(&mut probe.strain_energy, at);
             dissipated.store(&mut probe.dissipated, at);
             created.store(&mut probe.created, at);
             if band.is_some() {
                 bodies::dissipated::<L>(overstress, at).store(&mut probe.of_band, at);
             }
+        }
+        if let Some(water) = &given.water {
+            let less = water.book(sums[0][0] + sums[1][0] + sums[2][0], &pressed, at);
+            field.press(&mut sums, less, &SCALE, at);
         }
         let mut forces = field.forces::<L>(sums, &SCALE, at);
         store_nodal(&mut forces, &mut nodal, at);

@@ -39,6 +39,7 @@ mod layer;
 mod layered;
 mod modal;
 mod one_point;
+mod pores;
 mod quadrature;
 mod size;
 
@@ -53,6 +54,7 @@ pub use geometry::{BadShape, CORNERS, Hex8, gauss_point, shape_values};
 pub use layer::LayeredShape;
 pub use layered::{LayeredGeometry, layered, layered_left};
 pub use one_point::{OnePointGeometry, OnePointShape, Resistance, one_point};
+pub use pores::{HELD, Held, Pores, Undrained};
 pub use quadrature::{Layers, MOST_POINTS, Points, Quadrature, Through, turned};
 
 use crate::Material;
@@ -308,16 +310,19 @@ pub struct Given<'a> {
     /// Increments of the nodes' displacements over the step \[m\], in the order of their rows: where damage grows, damping over a band
     /// books by them. Empty: they did not move.
     pub moved: &'a [Row],
+    /// Water that cannot leave their pores.
+    pub water: Option<Undrained<'a>>,
 }
 
 impl<'a> Given<'a> {
     /// Nothing.
-    pub const NONE: Given<'static> = Given { strain: &[], size: &[], moved: &[] };
+    pub const NONE: Given<'static> = Given { strain: &[], size: &[], moved: &[], water: None };
 
     /// What the octet `i` of elements has.
     pub fn of(&self, i: usize) -> Given<'a> {
         let own = |all: &'a [Octet]| all.get(6 * i..6 * (i + 1)).unwrap_or(&[]);
-        Given { strain: own(self.strain), size: own(self.size), moved: self.moved }
+        let water = self.water.map(|water| water.of(i));
+        Given { strain: own(self.strain), size: own(self.size), moved: self.moved, water }
     }
 }
 
@@ -365,4 +370,23 @@ fn add_initial<L: Lane>(strain: &mut Sym<L>, initial: &[Octet], at: usize) {
 #[inline(always)]
 fn plus<L: Lane>(a: Sym<L>, b: Sym<L>) -> Sym<L> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3], a[4] + b[4], a[5] + b[5]]
+}
+
+/// The dilatation that elements begin with.
+#[inline(always)]
+fn dilatation<L: Lane>(initial: &[Octet], at: usize) -> L {
+    if initial.len() < 6 {
+        return L::splat(0.0);
+    }
+    L::load(&initial[0], at) + L::load(&initial[1], at) + L::load(&initial[2], at)
+}
+
+/// Adds to the normal strains, by their coefficients, what water does to the grains.
+#[inline(always)]
+fn widen<L: Lane>(e: &mut [[L; 8]; 6], pressed: &pores::Pressed<L>) {
+    let mut c = 0;
+    while c < 3 {
+        e[c][0] = e[c][0] + pressed.strain;
+        c += 1;
+    }
 }

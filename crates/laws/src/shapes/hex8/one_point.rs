@@ -1,6 +1,7 @@
 //! One-point quadrature with the hourglass part integrated in closed form.
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
+use super::pores::Pressed;
 use super::{Given, Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
@@ -171,6 +172,13 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
         let mut modes = unsafe { gather_modes::<L>(rows, index, at) };
 
         let (mut strain, s) = geometry.strain::<L>(&modes, at);
+        let mut pressed = Pressed::<L>::none();
+        if let Some(water) = &given.water {
+            pressed = water.press(strain[0] + strain[1] + strain[2], at);
+            strain[0] = strain[0] + pressed.strain;
+            strain[1] = strain[1] + pressed.strain;
+            strain[2] = strain[2] + pressed.strain;
+        }
         super::add_initial(&mut strain, given.strain, at);
         let mut lane_point = Point::<L>::splat(point);
         if M::NEEDS_SIZE {
@@ -225,7 +233,11 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
                 i += 1;
             }
             let stored = material.stored_energy(&strain, &of_law, &new) + held;
-            (volume * stored).store(&mut probe.strain_energy, at);
+            let mut energy = volume * stored;
+            if let Some(water) = &given.water {
+                energy = energy - water.given(&pressed, at);
+            }
+            energy.store(&mut probe.strain_energy, at);
             hourglass_energy(&p, &s).store(&mut probe.hourglass_energy, at);
             (volume * super::booked(&new, M::DISSIPATION)).store(&mut probe.dissipated, at);
             (volume * super::booked(&new, M::CREATION)).store(&mut probe.created, at);
@@ -237,6 +249,12 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
         while i < 6 {
             resultants[i] = volume * stress[i];
             i += 1;
+        }
+        if let Some(water) = &given.water {
+            let less = water.book(resultants[0] + resultants[1] + resultants[2], &pressed, at);
+            resultants[0] = resultants[0] - less;
+            resultants[1] = resultants[1] - less;
+            resultants[2] = resultants[2] - less;
         }
         modes[0] = geometry.forces::<L, 0>(&resultants, &p, at);
         modes[1] = geometry.forces::<L, 1>(&resultants, &p, at);
