@@ -6,16 +6,12 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::fields::{Fields, Material};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
+use crate::seepage::{self, DRAIN, Drain, HEADS, WALLS};
 use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
-const STEADY: &str = "leave it out: steady seepage is not in this version; use `level`";
 const UNDRAINED: &str =
     "leave it out: an undrained earthquake is not in this version, pressures stay as the stages leave them";
-
-/// The word for a pressure that goes by a level, and the one that is to come.
-const LEVEL: &str = "level";
-const SEEPAGE: &str = "seepage";
 
 pub(crate) static WATER: Table = Table {
     path: "water",
@@ -29,9 +25,10 @@ pub(crate) static WATER: Table = Table {
         ),
         Key::default(
             "pressure",
-            Kind::Text,
+            Kind::Word(Pressure::WORDS),
             r#""level""#,
-            "Where the pressure comes from: \"level\", the unit weight times the depth below the level, nothing above",
+            "Where the pressure comes from: \"level\", the unit weight times the depth below the level, nothing above; \"seepage\", that in the \
+             initial state, and steady flow to walls and drains in each stage",
         ),
         Key::required("level", HEIGHT, "height z of the water level in the ground before the first stage"),
         Key::default(
@@ -41,7 +38,7 @@ pub(crate) static WATER: Table = Table {
             "Pressures in the earthquake: \"drained\", they stay as the stages leave them",
         ),
         Key::later("bulk_modulus", UNDRAINED),
-        Key::later("heads", STEADY),
+        Key::optional("heads", HEADS, "", seepage::ABOUT_HEADS),
     ],
     choice: &[],
 };
@@ -74,7 +71,7 @@ pub(crate) static OF_MATERIAL: Table = Table {
             "permeability",
             Kind::Number(Dimension::VELOCITY, Limit::Positive),
             "",
-            "Hydraulic conductivity; left out: tight. For seepage: nothing uses it in this version",
+            "Hydraulic conductivity, for seepage; left out: tight",
         ),
         Key::optional(
             "saturated_unit_weight",
@@ -103,9 +100,9 @@ pub(crate) static OF_STAGE: Table = Table {
             "Groups, as those of `pressure`, beside which the void is full of water from here on, each with the height z of its level: \
              it presses by its depth",
         ),
-        Key::later("heads", STEADY),
-        Key::later("drained", STEADY),
-        Key::later("drains", STEADY),
+        Key::optional("heads", HEADS, "", "Heads outside from here on, in place of those of the same name"),
+        Key::optional("drained", WALLS, "all walls of voids", seepage::ABOUT_DRAINED),
+        Key::optional("drains", Kind::Tables(&DRAIN), "", "Lines and groups that take water from here on, in place of all before"),
     ],
     choice: &[],
 };
@@ -126,6 +123,16 @@ pub(crate) static OF_INTERFACE: Table = Table {
 };
 
 words! {
+    /// Where the pressure in the ground comes from.
+    Pressure {
+        /// still water up to a level
+        Level = "level",
+        /// steady flow in the stages
+        Seepage = "seepage",
+    }
+}
+
+words! {
     /// Of which stress `lateral` is the ratio.
     LateralOf {
         /// of effective stresses, where there is water
@@ -142,6 +149,9 @@ pub struct Water {
     pub unit_weight: Spanned<f64>,
     /// Height of its level before the first stage, m.
     pub level: Spanned<f64>,
+    pub pressure: Spanned<Pressure>,
+    /// Planes, faces or groups, and the head outside them, m; of seepage.
+    pub heads: Vec<(Spanned<String>, Spanned<f64>)>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -176,11 +186,23 @@ pub struct StageWater {
     pub level: Option<Spanned<f64>>,
     /// Groups beside which the void is full, and up to which height, m.
     pub filled: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// As those of [`Water`], from here on.
+    pub heads: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// Groups whose walls are drained, where they are given.
+    pub drained: Option<Vec<Spanned<String>>>,
+    /// Drains, where they are given.
+    pub drains: Option<Vec<Drain>>,
 }
 
 impl Water {
     pub(crate) fn read(f: &Fields) -> Option<Self> {
-        Some(Water { unit_weight: f.number("unit_weight")?, level: f.number("level")?, span: f.span.clone() })
+        Some(Water {
+            unit_weight: f.number("unit_weight")?,
+            level: f.number("level")?,
+            pressure: f.word("pressure", Pressure::from_word)?,
+            heads: seepage::heads(f)?,
+            span: f.span.clone(),
+        })
     }
 
     /// What lies between keys, and what needs a case with water.
@@ -195,25 +217,14 @@ impl Water {
             }
             return;
         };
-        let words = [
-            (
-                "pressure",
-                LEVEL,
-                SEEPAGE,
-                "steady seepage is not in this version: use \"level\", which is right where nothing drains the ground",
-            ),
-            (
-                "earthquake",
-                "drained",
-                "undrained",
-                "an undrained earthquake is not in this version: use \"drained\", pressures then stay as the stages leave them",
-            ),
-        ];
-        for (key, known, later, instead) in words {
-            let Some(word) = water.text(key).filter(|word| word.value != known) else { continue };
-            let (message, remedy) = match word.value == later {
-                true => (format!("`{key}` cannot be \"{later}\" yet"), instead.to_owned()),
-                false => (format!("`{key}` cannot be \"{}\"", word.value), format!("write \"{known}\"")),
+        seepage::check(case, water, materials, problems);
+        if let Some(word) = water.text("earthquake").filter(|word| word.value != "drained") {
+            let (message, remedy) = match word.value == "undrained" {
+                true => (
+                    "`earthquake` cannot be \"undrained\" yet".to_owned(),
+                    "an undrained earthquake is not in this version: use \"drained\", pressures then stay as the stages leave them",
+                ),
+                false => (format!("`earthquake` cannot be \"{}\"", word.value), "write \"drained\""),
             };
             problems.push(Diagnostic::at(&word, message, remedy));
         }
@@ -295,6 +306,12 @@ impl StageWater {
             filled: filled
                 .map(|(pattern, node)| Some((pattern.clone(), node.number()?)))
                 .collect::<Option<_>>()?,
+            heads: seepage::heads(water)?,
+            drained: water.get("drained").map(|node| node.texts()),
+            drains: match water.get("drains") {
+                Some(_) => Some(water.tables("drains").map(Drain::read).collect::<Option<_>>()?),
+                None => None,
+            },
         })
     }
 }

@@ -1,9 +1,6 @@
 //! What an element conducts.
 
-use tremolite_laws::shapes::hex8::{CORNERS, gauss_point, shape_values};
-
-/// Share of the conductivity that is left where there is much suction.
-pub(crate) const DRY: f64 = 1e-3;
+use tremolite_laws::shapes::hex8::{CORNERS, gauss_point};
 
 /// Row and column of the lower half of a symmetric matrix of the eight corners.
 pub(crate) const PAIRS: [(usize, usize); 36] = {
@@ -67,29 +64,38 @@ fn natural(at: [f64; 3]) -> [[f64; 3]; 8] {
     })
 }
 
-/// Σ over points of the volume × k_r × ∇N·∇N, by [`PAIRS`] \[m\].
-pub(crate) fn conductance(corners: &[[f64; 3]; 8], relative: &[f64; 8]) -> Option<[f64; 36]> {
+/// Σ over points of the volume × ∇N·∇N, by [`PAIRS`] \[m\].
+pub(crate) fn conductance(corners: &[[f64; 3]; 8]) -> Option<[f64; 36]> {
     let (gradients, volumes) = gradients(corners)?;
     let mut sum = [0.0; 36];
-    for q in 0..8 {
-        let weight = volumes[q] * relative[q];
-        let g = &gradients[q];
+    for (g, volume) in gradients.iter().zip(volumes) {
         for (entry, &(i, j)) in sum.iter_mut().zip(&PAIRS) {
-            *entry += weight * (g[i][0] * g[j][0] + g[i][1] * g[j][1] + g[i][2] * g[j][2]);
+            *entry += volume * (g[i][0] * g[j][0] + g[i][1] * g[j][1] + g[i][2] * g[j][2]);
         }
     }
     Some(sum)
 }
 
-/// Values at the 2×2×2 points of what is given at the corners.
-pub(crate) fn at_points(corners: &[f64; 8]) -> [f64; 8] {
-    std::array::from_fn(|q| shape_values(gauss_point(q)).iter().zip(corners).map(|(n, c)| n * c).sum())
+/// k_r under a pressure head p/γ_w \[m\] in an element of a height \[m\]: 1 under pressure, in line down to what is left at the suction of
+/// that height.
+fn relative(pressure_head: f64, height: f64, left: f64) -> f64 {
+    if pressure_head >= 0.0 { 1.0 } else { (1.0 + (1.0 - left) * pressure_head / height).max(left) }
 }
 
-/// k_r under a pressure head p/γ_w \[m\] in an element of a height \[m\]: 1 under pressure, in line down to [`DRY`] at the suction of that
-/// height.
-pub(crate) fn relative(pressure_head: f64, height: f64) -> f64 {
-    if pressure_head >= 0.0 { 1.0 } else { (1.0 + (1.0 - DRY) * pressure_head / height).max(DRY) }
+/// k_r of an element: of its corners, each as far as its head is above the lowest of them. So it goes by where the water comes from; by the
+/// mean of the points what trickles down through dry ground would swing from iteration to iteration.
+pub(crate) fn relative_of(heads: &[f64; 8], pressure_heads: &[f64; 8], height: f64, left: f64) -> f64 {
+    let lowest = heads.iter().copied().fold(f64::INFINITY, f64::min);
+    let highest = heads.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // In still water all count the same.
+    let even = 1e-9 * height + f64::EPSILON * highest.abs().max(lowest.abs());
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for (h, p) in heads.iter().zip(pressure_heads) {
+        let weight = h - lowest + even;
+        sum += weight * relative(*p, height, left);
+        weights += weight;
+    }
+    sum / weights
 }
 
 /// Extent along z \[m\].

@@ -2,7 +2,8 @@
 //!
 //! div(k_r(p) k ∇h) = 0 with the head h = z + p/γ_w \[m\] (Darcy), trilinear hexahedra with 2×2×2 points; corners may coincide, so wedges,
 //! pyramids and tetrahedra are hexahedra as well. Above the free surface (p < 0) the conductivity falls with the suction, in line, to
-//! 10⁻³ of k at a suction of the element's own height (`bathe1979`): the mesh stays where it is. Where a wall is open water leaves at the
+//! 10⁻³ of k at a suction of the element's own height (`bathe1979`; one value an element, by its upper corners along the flow): the mesh
+//! stays where it is. Where a wall is open water leaves at the
 //! pressure of the air or nothing flows; which of the two is found beside k_r, face node by face node.
 //!
 //! Not modelled: time (storage), capillary rise as such (suction means a place to which little flows), hysteresis, conductivity that goes by
@@ -11,10 +12,11 @@
 mod element;
 mod matrix;
 mod places;
+mod regions;
 mod steady;
 
 pub use places::{Holds, Place};
-pub use steady::{Flow, MOST_ITERATIONS, steady};
+pub use steady::{Flow, steady};
 
 /// Ground through which water flows.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +27,13 @@ pub struct Ground<'a> {
     pub elements: &'a [[u32; 8]],
     /// Hydraulic conductivity of each element \[m/s\], positive.
     pub conductivity: &'a [f64],
+}
+
+impl Ground<'_> {
+    /// Corners of an element.
+    pub(crate) fn geometry(&self, element: usize) -> [[f64; 3]; 8] {
+        self.elements[element].map(|n| self.nodes[n as usize])
+    }
 }
 
 /// Why no flow was found.

@@ -65,6 +65,18 @@ fn cases() -> Vec<String> {
             .replacen("[[stage]]", "[[stage]]\nwater = { level = \"1 m\", filled = { \"top\" = \"2 m\" } }", 1)
             .replacen("[[interface]]", "[[interface]]\nwater = { drained = true }", 1),
         EVERY_KEY
+            .replace(
+                "[material.rock]",
+                "[water]\nlevel = \"3 m\"\npressure = \"seepage\"\nheads = { sides = \"3 m\" }\n[material.rock]\n\
+                 water = { permeability = \"1e-7 m/s\" }",
+            )
+            .replacen(
+                "[[stage]]",
+                "[[stage]]\nwater = { heads = { top = \"9 m\" }, drained = [\"a\"], drains = [{ on = \"a\" }, \
+                 { from = [\"0 m\", \"1 m\", \"2 m\"], to = [\"0 m\", \"1 m\", \"9 m\"] }] }",
+                1,
+            ),
+        EVERY_KEY
             .replace("kind = \"within\"\ndepth = \"50 m\"", "kind = \"surface\"")
             .replace(
                 "unit_weight = \"19 kN/m3\", damping = 0.05",

@@ -4,5 +4,6 @@ mod common;
 mod confined;
 mod drains;
 mod free_surface;
+mod hall;
 mod patch;
 mod refused;
