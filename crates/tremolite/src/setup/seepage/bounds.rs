@@ -130,7 +130,9 @@ impl Bounds {
         // Each wall has one word: full of water, or drained.
         let mut drained: BTreeMap<String, Vec<Face>> = BTreeMap::new();
         let mut filled: BTreeMap<usize, Vec<Face>> = BTreeMap::new();
-        for &face in &self.walls {
+        let heads: Vec<Vec<Face>> = said.heads.iter().map(|(name, _)| self.head(name, around, &groups)).collect();
+        let has_head: HashSet<Face> = heads.iter().flatten().copied().collect();
+        for &face in self.walls.iter().filter(|face| !has_head.contains(face)) {
             let (own, beside) = (around.shown[face.element as usize], around.beside(face));
             let is_at = |name: &str| groups.has(name, own) || beside.is_some_and(|e| groups.has(name, e));
             let full = said.filled.iter().rposition(|(name, _)| is_at(name));
@@ -161,9 +163,8 @@ impl Bounds {
         for (k, drain) in said.drains.into_iter().flatten().enumerate() {
             places.push(self.drain(k, drain, around, ground, &groups)?);
         }
-        for (name, head) in said.heads {
-            let faces = self.head(name, around, &groups);
-            let held = place(name, Holds::Head(head.value), &faces);
+        for ((name, head), faces) in said.heads.into_iter().zip(&heads) {
+            let held = place(name, Holds::Head(head.value), faces);
             let reaches = |&(n, _): &(u32, f64)| mesh.nodes[n as usize][2] <= head.value;
             if !held.nodes.iter().any(reaches) {
                 warnings.push(Diagnostic::at(
