@@ -19,7 +19,8 @@ pub(crate) static DRAIN: Table = Table {
     path: "stage.water.drains",
     doc: "A drain: it takes water at the pressure of the air where there is some.",
     keys: &[
-        Key::required("from", POINT, "one end of a line of boreholes or of a gallery").when(When::Without("on")),
+        Key::required("from", POINT, "one end of a line of boreholes or of a gallery")
+            .when(When::Without("on")),
         Key::required("to", POINT, "its other end").when(When::Without("on")),
         Key::optional("on", Kind::Text, "", "Group of the mesh, in place of a line: all nodes of its ground"),
     ],

@@ -102,7 +102,12 @@ pub(crate) static OF_STAGE: Table = Table {
         ),
         Key::optional("heads", HEADS, "", "Heads outside from here on, in place of those of the same name"),
         Key::optional("drained", WALLS, "all walls of voids", seepage::ABOUT_DRAINED),
-        Key::optional("drains", Kind::Tables(&DRAIN), "", "Lines and groups that take water from here on, in place of all before"),
+        Key::optional(
+            "drains",
+            Kind::Tables(&DRAIN),
+            "",
+            "Lines and groups that take water from here on, in place of all before",
+        ),
     ],
     choice: &[],
 };

@@ -13,7 +13,7 @@ const ITERATIONS: usize = 50;
 /// Step of an element's conductivity towards what goes with the heads; shorter where it swings.
 const STEP: [f64; 2] = [0.01, 0.5];
 /// Change of heads over their range at which they are at rest.
-const AT_REST: f64 = 1e-5;
+const AT_REST: f64 = 1e-6;
 /// Of the flow that heads bring, what conjugate gradients leave in the end, and at most on the way.
 const SOLVED: f64 = 1e-12;
 const ON_THE_WAY: f64 = 1e-6;

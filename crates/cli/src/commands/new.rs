@@ -40,7 +40,7 @@ heads    = { xmin = "-20 m", xmax = "-20 m" }   # where the water comes from
     (
         "# Before the earthquake:",
         r#"[[interface]]                      # without a bond, so that the water comes between the two
-name             = "back of the lining"
+name             = "back"
 between          = ["hall.lining", "rock"]
 law              = "coulomb"
 normal_stiffness = "20 GPa/m"
@@ -56,9 +56,8 @@ cohesion         = "0 Pa"
 /// The case, with water or without.
 fn text(water: bool) -> String {
     let more = if water { &WATER[..] } else { &[] };
-    more.iter().fold(CASE.to_owned(), |text, (before, added)| {
-        text.replacen(before, &format!("{added}{before}"), 1)
-    })
+    more.iter()
+        .fold(CASE.to_owned(), |text, (before, added)| text.replacen(before, &format!("{added}{before}"), 1))
 }
 
 pub fn run(args: &Args) -> Outcome {

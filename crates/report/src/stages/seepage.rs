@@ -29,8 +29,7 @@ pub fn table(source: &Source, facts: &Summary) -> Option<Block> {
         let name = called(language, k, stage);
         let none = [(say!(language, "none"), 0.0)];
         let taken = flow.taken.iter().map(|(place, q)| (place.clone(), *q));
-        let taken: Vec<(String, f64)> =
-            if flow.taken.is_empty() { none.into() } else { taken.collect() };
+        let taken: Vec<(String, f64)> = if flow.taken.is_empty() { none.into() } else { taken.collect() };
         for (i, (place, q)) in taken.into_iter().enumerate() {
             let first = |text: String| if i == 0 { text } else { String::new() };
             rows.push(vec![
@@ -88,7 +87,9 @@ pub fn map(
 /// Edges between cells with pressure and cells without.
 fn surface(cells: &[CutCell]) -> Vec<Edge> {
     let wet = |cell: usize| cells[cell].value > 0.0;
-    let parts = edges(cells).into_iter().filter(|sides| sides.iter().any(|side| wet(side.cell) != wet(sides[0].cell)));
+    let parts = edges(cells)
+        .into_iter()
+        .filter(|sides| sides.iter().any(|side| wet(side.cell) != wet(sides[0].cell)));
     parts.map(|sides| sides[0].edge).collect()
 }
 

@@ -38,6 +38,20 @@ fn a_line_above_the_free_surface_takes_none() {
     assert!(flow.heads.iter().all(|h| (*h - 20.0).abs() < 1e-9));
 }
 
+/// Nothing comes in at a side above its head: there heads follow the ground.
+#[test]
+fn a_head_holds_up_to_itself() {
+    let (made, sides) = ground();
+    let drain = line(&made, 2.0);
+    let flow = made.solve(&[sides, drain]).unwrap();
+    let at = |z: f64| {
+        let node = made.nodes.iter().position(|x| *x == [0.0, 0.0, z]);
+        flow.heads[node.unwrap()]
+    };
+    assert!(at(20.0) == 20.0 && at(0.0) == 20.0);
+    assert!((20.0 - at(26.0)).abs() > 1e-3, "{}", at(26.0));
+}
+
 /// Of two walls with a common edge each is given its share of what leaves there, and no more in all.
 #[test]
 fn places_share_their_nodes() {

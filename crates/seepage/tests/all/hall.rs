@@ -43,6 +43,11 @@ fn the_free_surface_is_found_beside_a_hall() {
                 flow.left
             );
             assert!(out[0] >= 0.0 && out[2] < 0.0, "{out:?}");
+            // Nothing presses on a wall that is open.
+            for &(node, _) in &places[0].nodes {
+                let pressure_head = flow.heads[node as usize] - made.nodes[node as usize][2];
+                assert!(pressure_head < 1e-6, "{low} {high}: {pressure_head}");
+            }
             // Below its floor nothing comes into the hall.
             assert_eq!(out[0] > 0.0, high > -40.0, "{low} {high}: {out:?}");
         }

@@ -4,8 +4,8 @@ use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use super::{Cracks, Envelopes};
 use crate::error::RunError;
 use crate::point_stress::{extremes, mean};
-use crate::seepage::StageFlow;
 use crate::quantities::{Field, field_name, of_element};
+use crate::seepage::StageFlow;
 use std::path::Path;
 use tremolite_engine::Stage;
 use tremolite_engine::model::Model;
@@ -154,7 +154,8 @@ impl FieldGrid {
                 };
                 let Some(flow) = StageFlow::of(&view.plan.stages, stage) else { return };
                 // Slabs of the ground outside have no flow of their own.
-                let of = |s: &ElementSlot| flow.velocities.get(s.element as usize).copied().unwrap_or_default();
+                let of =
+                    |s: &ElementSlot| flow.velocities.get(s.element as usize).copied().unwrap_or_default();
                 let values = self.slots.iter().flat_map(of).map(|x| x as f32).collect();
                 grid.cell_data.push(Array::new("seepage", "m/s", 3, Values::Float32(values)));
             }

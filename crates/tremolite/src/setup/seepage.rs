@@ -86,11 +86,8 @@ pub fn seep(case: &Case, materials: &[usize], space: &Problem) -> Result<Seeped,
             continue;
         }
         let start = Instant::now();
-        let elements: Vec<[u32; 8]> = asked
-            .ground
-            .iter()
-            .map(|&e| hex_nodes(mesh, e as usize).map(|n| joined[n as usize]))
-            .collect();
+        let elements: Vec<[u32; 8]> =
+            asked.ground.iter().map(|&e| hex_nodes(mesh, e as usize).map(|n| joined[n as usize])).collect();
         let own: Vec<f64> = asked.ground.iter().map(|&e| conductivity[e as usize].unwrap_or(tight)).collect();
         let ground = Ground { nodes: &mesh.nodes, elements: &elements, conductivity: &own };
         let flow = steady(&ground, &asked.places)
@@ -132,7 +129,8 @@ pub fn changes(stage: &tremolite_case::Stage) -> Vec<Said> {
             said!("walls drained: {groups}", groups = names.join(", "))
         }
     });
-    let drains = stage.water.drains.iter().map(|drains| said!("drains: {count}", count = drains.len().to_string()));
+    let drains =
+        stage.water.drains.iter().map(|drains| said!("drains: {count}", count = drains.len().to_string()));
     heads.chain(drained).chain(drains).collect()
 }
 
@@ -163,9 +161,8 @@ fn spell(weight: f64, stage: Stage, space: &Problem, ground: &[u32], joined: &[u
     let mut elements = vec![0.0; mesh.elements.len()];
     for &e in ground {
         let corners = hex_nodes(mesh, e as usize).map(head);
-        let at = |q: usize| -> f64 {
-            shape_values(gauss_point(q)).iter().zip(corners).map(|(n, p)| n * p).sum()
-        };
+        let at =
+            |q: usize| -> f64 { shape_values(gauss_point(q)).iter().zip(corners).map(|(n, p)| n * p).sum() };
         elements[e as usize] = (0..8).map(|q| at(q).max(0.0)).sum::<f64>() / 8.0;
     }
     let mut nodes = vec![0.0; mesh.nodes.len()];

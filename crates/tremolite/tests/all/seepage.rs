@@ -1,10 +1,14 @@
 //! Cases in which water flows to an opening: pressures of each stage, what a lining closes, drains, and what is refused.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::Stage;
 use tremolite::hexahedra::centroid;
-use tremolite::job::{Given, Inputs, Job};
+use tremolite::job::{Caller, Given, Inputs, Job};
+use tremolite::run::Control;
 use tremolite::seepage::StageFlow;
+use tremolite::simulation::Start;
 use tremolite_mesh::boxes::BoxSpec;
+use tremolite_results::{ResultFolder, Status};
 
 const HALL: &str = r#"title = "hall in wet rock"
 [mesh.file]
@@ -121,24 +125,34 @@ fn an_opening_drains_the_rock_until_its_lining_closes_it() {
 #[test]
 fn a_lining_may_be_drained() {
     let open = made(HALL);
-    let interface = made(&HALL.replace("cohesion = \"0 Pa\"\n", "cohesion = \"0 Pa\"\nwater = { drained = true }\n"));
-    let named = made(&HALL.replace("install = [\"shell\"]\n", "install = [\"shell\"]\nwater = { drained = [\"shell\"] }\n"));
+    let interface =
+        made(&HALL.replace("cohesion = \"0 Pa\"\n", "cohesion = \"0 Pa\"\nwater = { drained = true }\n"));
+    let named = made(
+        &HALL
+            .replace("install = [\"shell\"]\n", "install = [\"shell\"]\nwater = { drained = [\"shell\"] }\n"),
+    );
     for (job, name) in [(&interface, "joint"), (&named, "shell")] {
         assert_eq!(flow(job, 2).taken()[0].0, name);
         assert_eq!(p(job, WALL, 2), p(&open, WALL, 1));
     }
     // Nothing but the named walls takes water.
-    let closed = made(&HALL.replace("excavate = [\"core\"]\n", "excavate = [\"core\"]\nwater = { drained = [] }\n"));
+    let closed =
+        made(&HALL.replace("excavate = [\"core\"]\n", "excavate = [\"core\"]\nwater = { drained = [] }\n"));
     assert!((p(&closed, WALL, 1) / STILL - 1.0).abs() < 1e-9);
     // A void full of water has its head at the wall: at the level of the ground nothing flows.
-    let full = made(&HALL.replace("excavate = [\"core\"]\n", "excavate = [\"core\"]\nwater = { filled = { \"rock\" = \"-5 m\" } }\n"));
+    let full = made(&HALL.replace(
+        "excavate = [\"core\"]\n",
+        "excavate = [\"core\"]\nwater = { filled = { \"rock\" = \"-5 m\" } }\n",
+    ));
     assert!((p(&full, WALL, 1) / STILL - 1.0).abs() < 1e-9);
 }
 
 #[test]
 fn drains_take_water_and_say_so() {
     let drained = |from: &str| {
-        let drain = format!("install = [\"shell\"]\nwater = {{ drains = [{{ from = [{from}, \"0 m\", \"-50 m\"], to = [{from}, \"10 m\", \"-50 m\"] }}] }}\n");
+        let drain = format!(
+            "install = [\"shell\"]\nwater = {{ drains = [{{ from = [{from}, \"0 m\", \"-50 m\"], to = [{from}, \"10 m\", \"-50 m\"] }}] }}\n"
+        );
         made(&HALL.replace("install = [\"shell\"]\n", &drain))
     };
     let job = drained("\"30 m\"");
@@ -150,7 +164,10 @@ fn drains_take_water_and_say_so() {
     assert!((p(&left, WALL, 2) - p(&right, image, 2)).abs() < 1e-6 * STILL);
     let away = HALL.replace("install = [\"shell\"]\n", "install = [\"shell\"]\nwater = { drains = [{ from = [\"90 m\", \"0 m\", \"0 m\"], to = [\"90 m\", \"9 m\", \"0 m\"] }] }\n");
     assert!(self::job(&away).err().unwrap().contains("this drain passes no ground"));
-    let group = HALL.replace("install = [\"shell\"]\n", "install = [\"shell\"]\nwater = { drains = [{ on = \"rock\" }] }\n");
+    let group = HALL.replace(
+        "install = [\"shell\"]\n",
+        "install = [\"shell\"]\nwater = { drains = [{ on = \"rock\" }] }\n",
+    );
     assert!(p(&made(&group), WALL, 2) == 0.0);
 }
 
@@ -159,7 +176,8 @@ fn drains_take_water_and_say_so() {
 fn level_ground_at_the_head_has_the_pressures_of_the_level() {
     let plain = HALL.split("[[stage]]").next().unwrap();
     let plain = plain.replace("groups = [\"rock\", \"core\"]", "groups = [\"rock\", \"core\", \"shell\"]");
-    let plain = plain.replace("[[region]]\ngroups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full\"\n", "");
+    let plain =
+        plain.replace("[[region]]\ngroups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full\"\n", "");
     let plain = &plain[..plain.find("[[interface]]").unwrap()];
     let flows = format!("{plain}[initial]\nlateral = 0.5\n[[stage]]\nname = \"later\"\n");
     let job = made(&flows);
@@ -181,6 +199,36 @@ fn pressures_have_the_same_bits_on_any_number_of_threads() {
     assert_eq!(on(1), on(2));
 }
 
+/// What a stopped run goes on with is found anew, and is the same: so are its files.
+#[test]
+fn a_resumed_run_has_the_pressures_of_one_that_never_stopped() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = HALL.replace(
+        "lateral = 0.5\n",
+        "lateral = 0.5\n[[monitor]]\nname = \"A\"\nat = [\"44 m\", \"2 m\", \"-32 m\"]\n",
+    );
+    let stopped = |name: &str, start: Start, early: bool| {
+        let results =
+            ResultFolder::create(Some(&folder.path().join(name)), name, matches!(start, Start::Resume))
+                .unwrap();
+        let stop = AtomicBool::new(false);
+        let mut control = Control { stop: &stop, progress: &mut |_| stop.store(early, Ordering::Relaxed) };
+        let (_, summary) = made(&text).run(&results, start, &Caller::new("test"), &mut control).unwrap();
+        (summary, results)
+    };
+    let (whole, all) = stopped("whole", Start::Rest, false);
+    assert_eq!(whole.conclusion.status, Status::Done, "{}", whole.conclusion.verdict);
+    let (half, _) = stopped("parts", Start::Rest, true);
+    assert_eq!(half.conclusion.status, Status::Stopped, "{}", half.conclusion.verdict);
+    let (resumed, parts) = stopped("parts", Start::Resume, false);
+    assert_eq!(resumed.conclusion.status, Status::Done, "{}", resumed.conclusion.verdict);
+    let bytes = |folder: &ResultFolder| std::fs::read(folder.stages()).unwrap();
+    assert_eq!(bytes(&all), bytes(&parts));
+    assert_eq!(resumed.computed.stages, whole.computed.stages);
+    let flow = whole.computed.stages[1].seepage.as_ref().unwrap();
+    assert!(flow.taken["shell"] > 0.0 && whole.computed.stages[0].seepage.is_none());
+}
+
 #[test]
 fn what_does_not_flow_is_refused_with_a_way_out() {
     let refused = |from: &str, to: &str, words: &[&str]| {
@@ -193,13 +241,24 @@ fn what_does_not_flow_is_refused_with_a_way_out() {
     refused("pressure = \"seepage\"\n", "", &["`heads` has a meaning only with steady seepage"]);
     refused(", permeability = \"1e-7 m/s\"", "", &["no material has a permeability", "1e-7 m/s"]);
     refused("xmax = ", "xmaxx = ", &["nothing is called 'xmaxx'", "did you mean 'xmax'"]);
-    refused("excavate = [\"core\"]\n", "excavate = [\"core\"]\nwater = { level = \"-9 m\" }\n", &["`level` of a stage", "heads"]);
-    refused("excavate = [\"core\"]\n", "excavate = [\"core\"]\nwater = { drained = [\"halls\"] }\n", &["no group of the mesh fits 'halls'"]);
+    refused(
+        "excavate = [\"core\"]\n",
+        "excavate = [\"core\"]\nwater = { level = \"-9 m\" }\n",
+        &["`level` of a stage", "heads"],
+    );
+    refused(
+        "excavate = [\"core\"]\n",
+        "excavate = [\"core\"]\nwater = { drained = [\"halls\"] }\n",
+        &["no group of the mesh fits 'halls'"],
+    );
     // A head below its ground brings no water; with no wall open either nothing is determined.
     let low = HALL.replace(heads, "heads = { top = \"-5 m\" }\n");
     let low = low.replacen("excavate = [\"core\"]\n", "excavate = [\"core\"]\nwater = { drained = [] }\n", 1);
     let fault = job(&low).err().unwrap();
-    assert!(fault.contains("no water can come to or leave the ground") && fault.contains("give `heads`"), "{fault}");
+    assert!(
+        fault.contains("no water can come to or leave the ground") && fault.contains("give `heads`"),
+        "{fault}"
+    );
 }
 
 /// A void that reaches the plane of a head is warned of, and a level with an opening below it names seepage as the remedy.

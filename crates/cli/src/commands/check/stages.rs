@@ -112,7 +112,11 @@ fn print_flow(checked: &Checked, stage: usize) {
         flow.mass_error,
         flow.iterations,
         flow.seconds,
-        if flow.left > 1e-3 { format!("; {} % of the permeability is left in dry ground", 100.0 * flow.left) } else { String::new() }
+        if flow.left > 1e-3 {
+            format!("; {} % of the permeability is left in dry ground", 100.0 * flow.left)
+        } else {
+            String::new()
+        }
     ));
 }
 

@@ -122,7 +122,13 @@ impl Bounds {
     ///
     /// # Errors
     /// What means no face or node of the ground.
-    pub fn places(&self, case: &Case, stage: usize, around: &Around, ground: &[u32]) -> Result<Placed, Diagnostic> {
+    pub fn places(
+        &self,
+        case: &Case,
+        stage: usize,
+        around: &Around,
+        ground: &[u32],
+    ) -> Result<Placed, Diagnostic> {
         let said = Said::of(case, stage);
         let mesh = &around.space.mesh;
         let groups = Groups::of(mesh);
@@ -130,7 +136,8 @@ impl Bounds {
         // Each wall has one word: full of water, or drained.
         let mut drained: BTreeMap<String, Vec<Face>> = BTreeMap::new();
         let mut filled: BTreeMap<usize, Vec<Face>> = BTreeMap::new();
-        let heads: Vec<Vec<Face>> = said.heads.iter().map(|(name, _)| self.head(name, around, &groups)).collect();
+        let heads: Vec<Vec<Face>> =
+            said.heads.iter().map(|(name, _)| self.head(name, around, &groups)).collect();
         let has_head: HashSet<Face> = heads.iter().flatten().copied().collect();
         for &face in self.walls.iter().filter(|face| !has_head.contains(face)) {
             let (own, beside) = (around.shown[face.element as usize], around.beside(face));
@@ -146,7 +153,8 @@ impl Bounds {
             let tight = around.shown[contact.tight as usize];
             let named = said.drained.and_then(|names| names.iter().find(|name| groups.has(name, tight)));
             let across = contact.across.map(|i| &around.space.interfaces[i]).filter(|i| i.water == Some(0.0));
-            let name = across.map(|interface| interface.name.clone()).or(named.map(|name| name.value.clone()));
+            let name =
+                across.map(|interface| interface.name.clone()).or(named.map(|name| name.value.clone()));
             if let Some(name) = name {
                 drained.entry(name).or_default().push(contact.face);
             }
@@ -169,7 +177,10 @@ impl Bounds {
             if !held.nodes.iter().any(reaches) {
                 warnings.push(Diagnostic::at(
                     head,
-                    format!("the head at '{}' lies below all of its ground: no water comes in there", name.value),
+                    format!(
+                        "the head at '{}' lies below all of its ground: no water comes in there",
+                        name.value
+                    ),
                     "heads are heights z, upwards, like the `level`",
                 ));
             }
@@ -181,7 +192,10 @@ impl Bounds {
             if held.nodes.iter().any(|one| reaches(one) && open.contains(&one.0)) {
                 warnings.push(Diagnostic::at(
                     name,
-                    format!("a drained wall reaches '{}', where the head holds: water comes in right beside it", name.value),
+                    format!(
+                        "a drained wall reaches '{}', where the head holds: water comes in right beside it",
+                        name.value
+                    ),
                     "give the head at sides that no void reaches, such as heads = { xmin = …, xmax = … }",
                 ));
             }
@@ -265,7 +279,8 @@ struct Said<'c> {
 
 impl<'c> Said<'c> {
     fn of(case: &'c Case, stage: usize) -> Self {
-        let mut said = Said { heads: Vec::new(), drained: None, drains: None, filled: Vec::new(), lake: None };
+        let mut said =
+            Said { heads: Vec::new(), drained: None, drains: None, filled: Vec::new(), lake: None };
         let first = case.water.as_ref().map_or(&[][..], |water| &water.heads);
         let of_stages = case.stages[..stage].iter().map(|stage| &stage.water);
         for heads in std::iter::once(first).chain(of_stages.clone().map(|water| &water.heads[..])) {

@@ -11,7 +11,8 @@ pub(super) fn along(mesh: &Mesh, ground: &[u32], from: [f64; 3], to: [f64; 3]) -
     for &e in ground {
         let nodes = mesh.elements[e as usize].nodes();
         let corners = || nodes.iter().map(|&n| mesh.nodes[n as usize]);
-        let extreme = |i: usize, pick: fn(f64, f64) -> f64, start: f64| corners().map(|x| x[i]).fold(start, pick);
+        let extreme =
+            |i: usize, pick: fn(f64, f64) -> f64, start: f64| corners().map(|x| x[i]).fold(start, pick);
         let low = [0, 1, 2].map(|i| extreme(i, f64::min, f64::INFINITY));
         let high = [0, 1, 2].map(|i| extreme(i, f64::max, f64::NEG_INFINITY));
         let size = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
@@ -19,7 +20,8 @@ pub(super) fn along(mesh: &Mesh, ground: &[u32], from: [f64; 3], to: [f64; 3]) -
             continue;
         }
         let nearest = corners().map(|x| distance(x, from, to)).fold(f64::INFINITY, f64::min);
-        let near = nodes.iter().filter(|&&n| distance(mesh.nodes[n as usize], from, to) <= nearest + SAME * size);
+        let near =
+            nodes.iter().filter(|&&n| distance(mesh.nodes[n as usize], from, to) <= nearest + SAME * size);
         found.extend(near.copied());
     }
     found.sort_unstable();
