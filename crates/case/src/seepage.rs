@@ -1,8 +1,7 @@
 //! Steady seepage to walls and drains: what `[water]` and stages say of it.
 
 use crate::fields::{Fields, Material};
-use crate::keys::{Key, Kind, Limit, Table, When};
-use crate::water::Pressure;
+use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::{Diagnostic, Spanned};
 use tremolite_laws::parameter::Dimension;
 
@@ -26,6 +25,16 @@ pub(crate) static DRAIN: Table = Table {
     ],
     choice: &[],
 };
+
+words! {
+    /// Where the pressure in the ground comes from.
+    Pressure {
+        /// still water up to a level
+        Level = "level",
+        /// steady flow in the stages
+        Seepage = "seepage",
+    }
+}
 
 /// Where water is taken.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::fields::{Fields, Material};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
-use crate::seepage::{self, DRAIN, Drain, HEADS, WALLS};
+use crate::seepage::{self, DRAIN, Drain, HEADS, Pressure, WALLS};
 use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
@@ -126,16 +126,6 @@ pub(crate) static OF_INTERFACE: Table = Table {
     ],
     choice: &[],
 };
-
-words! {
-    /// Where the pressure in the ground comes from.
-    Pressure {
-        /// still water up to a level
-        Level = "level",
-        /// steady flow in the stages
-        Seepage = "seepage",
-    }
-}
 
 words! {
     /// Of which stress `lateral` is the ratio.

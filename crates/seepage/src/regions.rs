@@ -1,7 +1,7 @@
 //! What cannot be, and what of the ground heads reach.
 
+use crate::ground::{Ground, SeepageError};
 use crate::places::{Holds, Node, Place};
-use crate::{Ground, SeepageError};
 
 /// Refuses what cannot be.
 pub(crate) fn check(ground: &Ground, places: &[Place]) -> Result<(), SeepageError> {

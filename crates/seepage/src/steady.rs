@@ -1,10 +1,10 @@
 //! The steady state: conductivity above the free surface and what walls let through, found by turns with the heads.
 
 use crate::element::{conductance, gradients, height, relative_of};
+use crate::ground::{Ground, SeepageError};
 use crate::matrix::Matrix;
 use crate::places::{Node, Place, nodes, outflows};
 use crate::regions::{check, corners, number, reached};
-use crate::{Ground, SeepageError};
 
 /// Shares of the conductivity that are left in dry ground, and after how many iterations the next is tried. With little left, what trickles
 /// down beside an opening need not come to rest, and hardly matters.

@@ -1,6 +1,5 @@
 //! Steady seepage of a stage, as results tell of it.
 
-use crate::stages::PlannedStage;
 use tremolite_results::StageSeepage;
 
 /// What flows from a stage on, until the next that has a flow of its own.
@@ -26,11 +25,6 @@ pub struct StageFlow {
 }
 
 impl StageFlow {
-    /// What flows in a stage, by its number.
-    pub fn of(stages: &[PlannedStage], stage: usize) -> Option<&StageFlow> {
-        stages.iter().take(stage + 1).rev().find_map(|stage| stage.flow.as_ref())
-    }
-
     /// As `summary.json` has it.
     pub fn summary(&self) -> StageSeepage {
         let (taken, comes) = self.places.split_at(self.heads);

@@ -33,6 +33,11 @@ impl PlannedStage {
     }
 }
 
+/// What flows in a stage, by its number.
+pub fn flow_in(stages: &[PlannedStage], stage: usize) -> Option<&StageFlow> {
+    stages.iter().take(stage.saturating_add(1)).rev().find_map(|stage| stage.flow.as_ref())
+}
+
 /// Why stages did not come to rest.
 #[derive(Debug)]
 pub enum Unsettled {

@@ -5,7 +5,7 @@ use super::{Cracks, Envelopes};
 use crate::error::RunError;
 use crate::point_stress::{extremes, mean};
 use crate::quantities::{Field, field_name, of_element};
-use crate::seepage::StageFlow;
+use crate::stages::flow_in;
 use std::path::Path;
 use tremolite_engine::Stage;
 use tremolite_engine::model::Model;
@@ -150,9 +150,9 @@ impl FieldGrid {
             Field::Seepage => {
                 let stage = match view.phase.stage {
                     Stage::Before(k) => k.into(),
-                    Stage::Shaking => usize::MAX - 1,
+                    Stage::Shaking => usize::MAX,
                 };
-                let Some(flow) = StageFlow::of(&view.plan.stages, stage) else { return };
+                let Some(flow) = flow_in(&view.plan.stages, stage) else { return };
                 // Slabs of the ground outside have no flow of their own.
                 let of =
                     |s: &ElementSlot| flow.velocities.get(s.element as usize).copied().unwrap_or_default();

@@ -94,7 +94,15 @@ pub fn seep(case: &Case, materials: &[usize], space: &Problem) -> Result<Seeped,
             .map_err(|error| refused(case, k, space, &asked.ground, &body_of, &error))?;
         let spell = spell(water.unit_weight.value, stage, space, &asked.ground, &joined, &flow);
         seeped.warnings.extend(placed.warnings);
-        seeped.warnings.extend(tied(case, k, space, &bounds, &body_of, seeped.spells.last(), &spell));
+        seeped.warnings.extend(tied(
+            case,
+            k,
+            space,
+            &bounds,
+            &body_of,
+            seeped.spells.last().or(space.water.spells.last()),
+            &spell,
+        ));
         let mut velocities = vec![[0.0; 3]; count];
         asked.ground.iter().zip(&flow.velocities).for_each(|(&e, q)| velocities[e as usize] = *q);
         let is_head = |place: &&Place| matches!(place.holds, Holds::Head(_));

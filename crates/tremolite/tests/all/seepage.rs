@@ -7,6 +7,7 @@ use tremolite::job::{Caller, Given, Inputs, Job};
 use tremolite::run::Control;
 use tremolite::seepage::StageFlow;
 use tremolite::simulation::Start;
+use tremolite::stages::flow_in;
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_results::{ResultFolder, Status};
 
@@ -91,7 +92,7 @@ fn p(job: &Job, at: [f64; 3], stage: u16) -> f64 {
 }
 
 fn flow(job: &Job, stage: usize) -> &StageFlow {
-    StageFlow::of(&job.plan.stages, stage).unwrap()
+    flow_in(&job.plan.stages, stage).unwrap()
 }
 
 /// Beside the wall, and far from it.
