@@ -67,7 +67,7 @@ impl<'a> Checker<'a> {
         let keys = || table.keys.iter().chain(more.unwrap_or_default());
         if more.is_some() {
             for (name, (at, _)) in given.iter().filter(|(name, _)| !keys().any(|k| k.name == **name)) {
-                let here = keys().filter(|k| !k.is_later() && !ruled_out(k.when, &given));
+                let here = keys().filter(|k| !ruled_out(k.when, &given));
                 let remedy = suggest::key(self.case, table.path, name, here.map(|k| k.name));
                 self.problem(at.clone(), format!("`{name}` is no key of {}", place(path)), remedy);
             }
@@ -122,11 +122,7 @@ impl<'a> Checker<'a> {
         }
         let table = path;
         let path = if path.is_empty() { key.name.to_owned() } else { format!("{path}.{}", key.name) };
-        if let Some((at, value)) = written {
-            if let Kind::Later(instead) = key.kind {
-                self.problem(at.clone(), format!("`{}` is not available yet", key.name), instead);
-                return None;
-            }
+        if let Some((_, value)) = written {
             return self.value(&key.kind, value.get_ref(), value.span(), &path);
         }
         let span = self.placed(span.clone());

@@ -76,8 +76,6 @@ pub enum Kind {
     Interfaces(&'static Table),
     /// One of several kinds that differ in their TOML type; a word goes before a number.
     Either(&'static [Kind]),
-    /// Not available yet; the text says what to do without it.
-    Later(&'static str),
 }
 
 /// What numbers are allowed.
@@ -194,18 +192,9 @@ impl Key {
         Key::new(name, kind, Need::Optional(without), doc)
     }
 
-    /// A key that is known but not available yet; `instead` says what to do without it.
-    pub const fn later(name: &'static str, instead: &'static str) -> Key {
-        Key::new(name, Kind::Later(instead), Need::Optional(""), "")
-    }
-
     pub const fn when(mut self, when: When) -> Key {
         self.when = when;
         self
-    }
-
-    pub fn is_later(&self) -> bool {
-        matches!(self.kind, Kind::Later(_))
     }
 }
 

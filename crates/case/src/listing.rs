@@ -28,7 +28,7 @@ pub enum ListedValue {
 
 /// The keys that every `[[interface]]` has, whatever its law.
 pub fn interface_keys() -> Vec<Listed> {
-    INTERFACE.keys.iter().filter(|key| !key.is_later()).map(listed).collect()
+    INTERFACE.keys.iter().map(listed).collect()
 }
 
 /// The tables of `[mesh]`, each with its path, what it is, and its keys.
@@ -75,6 +75,5 @@ fn value(kind: &Kind) -> ListedValue {
         Kind::Either(kinds) => return kinds.first().map_or(ListedValue::Other("value"), value),
         Kind::Brief(..) | Kind::Map(..) | Kind::Table(_) | Kind::Columns(_) | Kind::Materials(_) => "table",
         Kind::Tables(_) | Kind::Interfaces(_) => "tables",
-        Kind::Later(_) => "",
     })
 }

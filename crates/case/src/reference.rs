@@ -35,7 +35,7 @@ pub fn reference<'a>(laws: impl Into<Laws<'a>>) -> String {
     page.units();
     page.text += "## Top of the file\n\n";
     let tables = |key: &&'static Key| !suggest::tables(&key.kind).is_empty();
-    page.keys(&CASE.keys.iter().filter(|key| !tables(key) && !key.is_later()).copied().collect::<Vec<_>>());
+    page.keys(&CASE.keys.iter().filter(|key| !tables(key)).copied().collect::<Vec<_>>());
     page.below(&CASE);
     page.text
 }
@@ -74,7 +74,7 @@ impl Page<'_> {
 
     /// The tables that the keys of a table lead to, and what is below them.
     fn below(&mut self, table: &'static Table) {
-        for key in table.keys.iter().filter(|key| !key.is_later()) {
+        for key in table.keys {
             for inner in suggest::tables(&key.kind) {
                 if !self.done.contains(&inner.path) {
                     self.done.push(inner.path);
@@ -103,7 +103,7 @@ impl Page<'_> {
             let most = if table.choice.iter().any(|group| group.is_empty()) { "At most" } else { "Exactly" };
             self.line(&format!("{most} one of {} is given.\n", named.join(", ")));
         }
-        self.keys(&table.keys.iter().filter(|key| !key.is_later()).copied().collect::<Vec<_>>());
+        self.keys(table.keys);
         match kind {
             Kind::Materials(_) => self.of_laws(self.laws.materials),
             Kind::Interfaces(_) => self.of_laws(self.laws.interfaces),
@@ -221,7 +221,7 @@ mod tests {
             let section = page.split("\n## ").flat_map(|part| part.split("\n### "));
             let section = section.clone().find(|part| part.lines().next() == Some(heading));
             let section = section.unwrap_or_else(|| panic!("no section '{heading}'"));
-            for key in table.keys.iter().filter(|k| !k.is_later()) {
+            for key in table.keys {
                 // The tables of a case have sections of their own.
                 let above = table.path.is_empty() && !suggest::tables(&key.kind).is_empty();
                 assert!(above || section.contains(&format!("| `{}` |", key.name)), "{heading}: {}", key.name);

@@ -38,7 +38,7 @@ fn object(
     let mut properties = Map::new();
     let mut required: Vec<&str> = Vec::new();
     let mut beside: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for key in keys.filter(|k| !k.is_later()) {
+    for key in keys {
         properties.insert(key.name.to_owned(), property(&key, laws));
         if matches!((key.need, key.when), (Need::Required, When::Always)) {
             required.push(key.name);
@@ -150,7 +150,6 @@ fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
             let options: Vec<Value> = kinds.iter().map(|k| Value::Object(self::kind(key, k, laws))).collect();
             json!({ "anyOf": options })
         }
-        Kind::Later(_) => Value::Bool(false),
     };
     match schema {
         Value::Object(map) => map,

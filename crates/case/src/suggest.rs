@@ -51,7 +51,7 @@ pub(crate) fn key<'a>(
 }
 
 fn has(table: &Table, name: &str) -> bool {
-    table.keys.iter().any(|k| k.name == name && !k.is_later())
+    table.keys.iter().any(|k| k.name == name)
 }
 
 /// The table of a path, this one or below it.
@@ -147,7 +147,6 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
             .brief(keys)
             .map_or_else(|| "a table".to_owned(), |kind| format!("a table or {}", describe(key, kind))),
         Kind::Either(kinds) => kinds.iter().map(|kind| describe(key, kind)).collect::<Vec<_>>().join(" or "),
-        Kind::Later(_) => "left out".to_owned(),
     }
 }
 
@@ -203,7 +202,7 @@ fn sample_value(name: &str, kind: &Kind) -> String {
             format!("{{ \"{like}\" = {} }}", sample_value("", kind).replace("GPa", "MPa"))
         }
         Kind::Either(kinds) => kinds.first().map_or_else(String::new, |kind| sample_value(name, kind)),
-        Kind::Tables(_) | Kind::Materials(_) | Kind::Interfaces(_) | Kind::Later(_) => "{ … }".to_owned(),
+        Kind::Tables(_) | Kind::Materials(_) | Kind::Interfaces(_) => "{ … }".to_owned(),
     }
 }
 

@@ -314,7 +314,6 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Table(_) | Kind::Map(..) | Kind::Columns(_) | Kind::Materials(_) => value.is_table(),
         Kind::Brief(table, keys) => value.is_table() || table.brief(keys).is_some_and(|k| fits(k, value)),
         Kind::Either(kinds) => kinds.iter().any(|k| fits(k, value)),
-        Kind::Later(_) => true,
     }
 }
 

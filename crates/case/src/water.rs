@@ -6,14 +6,10 @@ use tremolite_laws::parameter::Dimension;
 
 use crate::fields::{Fields, Material};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
+use crate::seepage::{self, DRAIN, Drain, HEADS, Pressure, WALLS};
 use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
-const STEADY: &str = "leave it out: steady seepage is not in this version; use `level`";
-
-/// The word for a pressure that goes by a level, and the one that is to come.
-const LEVEL: &str = "level";
-const SEEPAGE: &str = "seepage";
 
 pub(crate) static WATER: Table = Table {
     path: "water",
@@ -27,9 +23,10 @@ pub(crate) static WATER: Table = Table {
         ),
         Key::default(
             "pressure",
-            Kind::Text,
+            Kind::Word(Pressure::WORDS),
             r#""level""#,
-            "Where the pressure comes from: \"level\", the unit weight times the depth below the level, nothing above",
+            "Where the pressure comes from: \"level\", the unit weight times the depth below the level, nothing above; \"seepage\", that in the \
+             initial state, and steady flow to walls and drains in each stage",
         ),
         Key::required("level", HEIGHT, "height z of the water level in the ground before the first stage"),
         Key::default(
@@ -44,7 +41,7 @@ pub(crate) static WATER: Table = Table {
             r#""2.2 GPa""#,
             "Bulk modulus of the water; only an undrained earthquake goes by it, with the `porosity` of materials",
         ),
-        Key::later("heads", STEADY),
+        Key::optional("heads", HEADS, "", seepage::ABOUT_HEADS),
     ],
     choice: &[],
 };
@@ -77,7 +74,7 @@ pub(crate) static OF_MATERIAL: Table = Table {
             "permeability",
             Kind::Number(Dimension::VELOCITY, Limit::Positive),
             "",
-            "Hydraulic conductivity; left out: tight. For seepage: nothing uses it in this version",
+            "Hydraulic conductivity, for seepage; left out: tight",
         ),
         Key::optional(
             "saturated_unit_weight",
@@ -106,9 +103,14 @@ pub(crate) static OF_STAGE: Table = Table {
             "Groups, as those of `pressure`, beside which the void is full of water from here on, each with the height z of its level: \
              it presses by its depth",
         ),
-        Key::later("heads", STEADY),
-        Key::later("drained", STEADY),
-        Key::later("drains", STEADY),
+        Key::optional("heads", HEADS, "", "Heads outside from here on, in place of those of the same name"),
+        Key::optional("drained", WALLS, "all walls of voids", seepage::ABOUT_DRAINED),
+        Key::optional(
+            "drains",
+            Kind::Tables(&DRAIN),
+            "",
+            "Lines and groups that take water from here on, in place of all before",
+        ),
     ],
     choice: &[],
 };
@@ -158,6 +160,9 @@ pub struct Water {
     pub earthquake: Spanned<Earthquake>,
     /// Pa
     pub bulk_modulus: Spanned<f64>,
+    pub pressure: Spanned<Pressure>,
+    /// Planes, faces or groups, and the head outside them, m; of seepage.
+    pub heads: Vec<(Spanned<String>, Spanned<f64>)>,
     /// Its table in the case: the header, or the braces.
     pub span: Range<usize>,
 }
@@ -192,6 +197,12 @@ pub struct StageWater {
     pub level: Option<Spanned<f64>>,
     /// Groups beside which the void is full, and up to which height, m.
     pub filled: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// As those of [`Water`], from here on.
+    pub heads: Vec<(Spanned<String>, Spanned<f64>)>,
+    /// Groups whose walls are drained, where they are given.
+    pub drained: Option<Vec<Spanned<String>>>,
+    /// Drains, where they are given.
+    pub drains: Option<Vec<Drain>>,
 }
 
 impl Water {
@@ -201,6 +212,8 @@ impl Water {
             level: f.number("level")?,
             earthquake: f.word("earthquake", Earthquake::from_word)?,
             bulk_modulus: f.number("bulk_modulus")?,
+            pressure: f.word("pressure", Pressure::from_word)?,
+            heads: seepage::heads(f)?,
             span: f.span.clone(),
         })
     }
@@ -217,20 +230,7 @@ impl Water {
             }
             return;
         };
-        let words = [(
-            "pressure",
-            LEVEL,
-            SEEPAGE,
-            "steady seepage is not in this version: use \"level\", which is right where nothing drains the ground",
-        )];
-        for (key, known, later, instead) in words {
-            let Some(word) = water.text(key).filter(|word| word.value != known) else { continue };
-            let (message, remedy) = match word.value == later {
-                true => (format!("`{key}` cannot be \"{later}\" yet"), instead.to_owned()),
-                false => (format!("`{key}` cannot be \"{}\"", word.value), format!("write \"{known}\"")),
-            };
-            problems.push(Diagnostic::at(&word, message, remedy));
-        }
+        seepage::check(case, water, materials, problems);
         if water
             .text("earthquake")
             .is_some_and(|word| Earthquake::from_word(&word.value) == Some(Earthquake::Undrained))
@@ -326,6 +326,12 @@ impl StageWater {
             filled: filled
                 .map(|(pattern, node)| Some((pattern.clone(), node.number()?)))
                 .collect::<Option<_>>()?,
+            heads: seepage::heads(water)?,
+            drained: water.get("drained").map(|node| node.texts()),
+            drains: match water.get("drains") {
+                Some(_) => Some(water.tables("drains").map(Drain::read).collect::<Option<_>>()?),
+                None => None,
+            },
         })
     }
 }

@@ -6,6 +6,7 @@ mod ground_reaction;
 mod maps;
 pub mod names;
 mod relaxation;
+mod seepage;
 
 use tremolite_results::{StageSummary, Summary};
 
@@ -29,6 +30,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
         return None;
     }
     let mut blocks = vec![table(source, &facts)];
+    blocks.extend(seepage::table(source, &facts));
     blocks.extend(force_displacement::block(source, &facts));
     let detail = |block| Block { folded: true, ..block };
     blocks.extend(relaxation::block(source, &facts).map(detail));

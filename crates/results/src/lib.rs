@@ -91,7 +91,7 @@ pub use section_strength::{Border, Factors, LastingCrack, SectionStrength, Used}
 pub use sections::{SectionRow, read_sections, write_sections};
 pub use skin::Skin;
 pub use slice::{Corner, Piece, Slice};
-pub use stages::{StageSummary, write_stages};
+pub use stages::{StageSeepage, StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
     CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, Input, ModelFacts, MonitorFacts, MotionFacts,

@@ -49,6 +49,25 @@ pub struct StageSummary {
     pub moved: IndexMap<String, IndexMap<String, f64>>,
     /// Named point of the mesh → displacement since the initial equilibrium (m) of the nearest node of what stands throughout.
     pub walls: IndexMap<String, [f64; 3]>,
+    /// Steady seepage that begins with the stage.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seepage: Option<StageSeepage>,
+}
+
+/// Steady seepage.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct StageSeepage {
+    /// Wall or drain → what it takes (m³/s).
+    pub taken: IndexMap<String, f64>,
+    /// Head by its name → what comes in there (m³/s).
+    pub comes: IndexMap<String, f64>,
+    /// All that comes into the ground (m³/s).
+    pub inflow: f64,
+    /// What comes in less what leaves, over what comes in.
+    pub mass_error: f64,
+    /// Iterations for the free surface.
+    pub iterations: usize,
 }
 
 /// Columns of stages.csv before the monitors'.

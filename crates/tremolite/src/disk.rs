@@ -169,6 +169,7 @@ pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field]) -> (u64, u64)
         let (node, cell) = match field {
             Field::Displacement | Field::Velocity | Field::Acceleration => (3, 0),
             Field::Stress => (0, 6),
+            Field::Seepage => (0, 3),
             Field::Principal => (0, 2),
             Field::Envelope => (1, 2),
             Field::Damage => (0, u64::from(cracks)),

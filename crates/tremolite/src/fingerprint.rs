@@ -1,6 +1,7 @@
 //! What ties a checkpoint to its model and plan: whatever changes the run changes this number.
 
 use crate::plan::Plan;
+use crate::stages::PlannedStage;
 use std::fmt::Debug;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::boundary::Boundaries;
@@ -141,6 +142,9 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.indices(member.part.nodes());
         space.numbers(&member.masses);
     }
+    // What flows follows from the pressures below; how long it took to find is no part of a model.
+    let bare = |stage: &PlannedStage| PlannedStage { flow: None, ..stage.clone() };
+    let stages: Vec<PlannedStage> = stages.iter().map(bare).collect();
     space.shown(&(stages, gravity, stand_ins, tractions, bed, prescribed));
     space.shown(lives);
     space.numbers(initial.iter().flatten());

@@ -34,6 +34,7 @@ pub mod quantities;
 pub mod run;
 pub mod scaling;
 pub mod sections;
+pub mod seepage;
 pub mod setup;
 pub mod simulation;
 pub mod spectra;

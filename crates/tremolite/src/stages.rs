@@ -1,5 +1,6 @@
 //! Stages before the shaking: what is changed in each, and how the model comes to rest.
 
+use crate::seepage::StageFlow;
 use std::sync::Arc;
 use tremolite_engine::engine::{Relaxed, Release, Rest};
 use tremolite_engine::{Assembly, Engine, Model, ModelError, Phase, Stage, State};
@@ -14,6 +15,8 @@ pub struct PlannedStage {
     pub excavated: Vec<String>,
     pub installed: Vec<String>,
     pub changed: Vec<Said>,
+    /// Steady seepage from here on, where it differs from that before.
+    pub flow: Option<StageFlow>,
 }
 
 impl PlannedStage {
@@ -25,8 +28,14 @@ impl PlannedStage {
             excavated: Vec::new(),
             installed: Vec::new(),
             changed: Vec::new(),
+            flow: None,
         }
     }
+}
+
+/// What flows in a stage, by its number.
+pub fn flow_in(stages: &[PlannedStage], stage: usize) -> Option<&StageFlow> {
+    stages.iter().take(stage.saturating_add(1)).rev().find_map(|stage| stage.flow.as_ref())
 }
 
 /// Why stages did not come to rest.

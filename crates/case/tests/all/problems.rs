@@ -133,7 +133,7 @@ const BAD: &[Bad] = &[
     bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
     bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
     // What later versions bring
-    bad("[initial]", "[water]\nlevel = \"3 m\"\nheads = 1\n[initial]", "heads", "`heads` is not available yet", "seepage"),
+    bad("[initial]", "[water]\nlevel = \"3 m\"\nheads = { sides = \"3 m\" }\n[initial]", "{ sides = \"3 m\" }", "`heads` has a meaning only with steady seepage", "pressure = \"seepage\""),
     bad("language = \"zh\"", "language = \"fr\"", "\"fr\"", "`language`", "zh"),
     bad("damping = { rayleigh", "damping = { ratio = 0.03, rayleigh", "ratio", "`ratio` has a meaning only beside `band`", "leave it out"),
     // TOML

@@ -9,9 +9,56 @@ use tremolite_motion::{Channel, ricker_velocity, write_text};
 pub struct Args {
     /// A folder that does not exist yet
     folder: PathBuf,
+    /// With water in the rock, which flows to the cavern until its lining closes it
+    #[arg(long)]
+    water: bool,
 }
 
 const CASE: &str = include_str!("new_case.toml");
+
+/// What the case has with water: before which line, and what stands there then.
+const WATER: [(&str, &str); 4] = [
+    (
+        "[material.rock]\n",
+        r#"[water]                            # laws then see effective stress
+level    = "-20 m"                 # of the initial state
+pressure = "seepage"               # steady flow to walls and drains in each stage; "level" for still water
+heads    = { xmin = "-20 m", xmax = "-20 m" }   # where the water comes from
+
+"#,
+    ),
+    (
+        "\n[material.concrete]",
+        r#"water       = { biot = 0.8, permeability = "1e-7 m/s", saturated_unit_weight = "27.3 kN/m3" }
+"#,
+    ),
+    (
+        "# tensile_strength =",
+        r#"water       = "none"              # it closes the wall behind it, and the head builds up there
+"#,
+    ),
+    (
+        "# Before the earthquake:",
+        r#"[[interface]]                      # without a bond, so that the water comes between the two
+name             = "back"
+between          = ["hall.lining", "rock"]
+law              = "coulomb"
+normal_stiffness = "20 GPa/m"
+shear_stiffness  = "10 GPa/m"
+friction         = 0.6
+cohesion         = "0 Pa"
+# water          = { drained = true }   # a drainage layer: no head outside
+
+"#,
+    ),
+];
+
+/// The case, with water or without.
+fn text(water: bool) -> String {
+    let more = if water { &WATER[..] } else { &[] };
+    more.iter()
+        .fold(CASE.to_owned(), |text, (before, added)| text.replacen(before, &format!("{added}{before}"), 1))
+}
 
 pub fn run(args: &Args) -> Outcome {
     let folder = &args.folder;
@@ -21,7 +68,7 @@ pub fn run(args: &Args) -> Outcome {
     let failed = |e: std::io::Error| Failure::failed(format!("{}: {e}", folder.display()));
     std::fs::create_dir_all(folder).map_err(failed)?;
     let case = folder.join("case.toml");
-    std::fs::write(&case, CASE).map_err(failed)?;
+    std::fs::write(&case, text(args.water)).map_err(failed)?;
     // A pulse of 4 Hz and 0.2 m/s: short, smooth, and zero at both ends.
     let dt = 0.005;
     let pulse = ricker_velocity(4.0, 0.5, 0.2);

@@ -100,6 +100,28 @@ fn bolts_of_a_pattern_are_written_so_that_a_case_reads_them() {
     assert_eq!(of("file = \"first/b_1.csv\"", "second"), pattern);
 }
 
+/// The walls are drained by the excavation, and closed by the lining.
+#[test]
+fn a_new_case_with_water_tells_what_flows_to_its_hall() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(tremolite(folder.path(), &["new", "--water", "wet"]).status.success());
+    let output = tremolite(folder.path(), &["check", "wet/case.toml", "--json"]);
+    assert!(output.status.success(), "{}", crate::stage_case::errors(&output));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let flow = |stage: usize, key: &str| found["stages"][stage]["seepage"][key].clone();
+    let inflow = flow(1, "inflow").as_f64().unwrap();
+    assert!(inflow > 0.0 && flow(1, "mass_error").as_f64().unwrap() < 1e-6, "{}", found["stages"][1]);
+    let taken = |stage: usize| flow(stage, "taken").as_object().cloned().unwrap();
+    let all: f64 = taken(1).values().map(|q| q.as_f64().unwrap()).sum();
+    assert!(taken(1).len() == 3 && (all / inflow - 1.0).abs() < 1e-6);
+    // The floor has no lining.
+    assert_eq!(taken(2).keys().collect::<Vec<_>>(), ["hall.bench*"]);
+    assert!(flow(2, "inflow").as_f64().unwrap() < inflow);
+    let lines = tremolite(folder.path(), &["check", "wet/case.toml"]).stdout;
+    let lines = String::from_utf8(lines).unwrap();
+    assert!(lines.contains("seepage: hall.bench* ") && lines.contains(" l/s); mass error "), "{lines}");
+}
+
 #[test]
 fn what_ranks_would_share_is_said_in_lines_and_in_the_object() {
     let folder = tempfile::tempdir().unwrap();

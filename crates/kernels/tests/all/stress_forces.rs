@@ -33,7 +33,8 @@ fn the_stresses_of_elements_give_their_forces() {
             let material = elastic(Moduli::from_young_poisson(25e9, 0.2));
             let corners = [[0, 1, 2, 3, 4, 5, 6, 7]];
             let hexes = [hex.clone()];
-            let part = material.patch(quadrature, (0..8).collect(), &corners, &hexes, &[], &[], &[], Isa::best());
+            let part =
+                material.patch(quadrature, (0..8).collect(), &corners, &hexes, &[], &[], &[], Isa::best());
             let u: Vec<Row> = (0..8)
                 .map(|k| Row::new([0, 1, 2].map(|i| 1e-4 * (1.7 * f64::from(3 * k + i)).sin())))
                 .collect();

@@ -35,6 +35,19 @@ pub const TEXTS: Texts = &[
     ("installed {groups}", "施作 {groups}"),
     ("initial equilibrium", "初始平衡"),
     ("nothing but release", "仅释放荷载"),
+    ("wall or drain", "洞壁或排水孔"),
+    ("inflow (l/s)", "渗流量 (l/s)"),
+    ("mass error", "水量误差"),
+    ("Seepage", "渗流"),
+    (
+        "Water that walls and drains take in the steady state of each stage, of the whole model. Mass error: what comes in less what leaves, over what comes in.",
+        "各阶段稳定渗流时整个模型中洞壁和排水孔的排水量。水量误差：流入与流出之差与流入之比。",
+    ),
+    ("pressure of the water p", "孔隙水压力 p"),
+    (
+        "Lines part what has water under pressure from what has none: the free surface, by element. Look for how far the openings drain the rock, and for pressure right behind a lining.",
+        "线条为有压与无压单元的分界，即按单元表示的浸润面。应注意洞室对岩体的疏干范围，以及紧邻衬砌背后的水压力。",
+    ),
     ("monitor", "监测点"),
     ("Monitors when the stages are done", "施工阶段结束时的监测点"),
     (

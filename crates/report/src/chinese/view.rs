@@ -39,6 +39,8 @@ pub const TEXTS: Texts = &[
     ),
     ("largest principal stress s1", "第一主应力 s1"),
     ("smallest principal stress s3", "第三主应力 s3"),
+    ("largest effective principal stress", "第一有效主应力"),
+    ("smallest effective principal stress", "第三有效主应力"),
     ("largest s1 so far", "历史最大的 s1"),
     ("smallest s3 so far", "历史最小的 s3"),
     ("largest displacement so far", "历史最大位移"),

@@ -6,7 +6,7 @@ use crate::chapter::figure::Figure;
 use crate::drawing::frame_row::MapRow;
 use crate::language::say;
 use crate::quantities::scale::Scale;
-use crate::section_maps::section_view::{Positions, borders, on_plane, place, points, window};
+use crate::section_maps::section_view::{Edge, Positions, borders, on_plane, place, points, window};
 use crate::source::Source;
 
 /// A cut with what is said of it.
@@ -29,6 +29,11 @@ pub struct Map<'a> {
 impl Map<'_> {
     /// The figure; `positions` are points to be named in it.
     pub fn figure(&self, positions: &Positions) -> Figure {
+        self.figure_with(positions, &[])
+    }
+
+    /// The same with more lines in it.
+    pub fn figure_with(&self, positions: &Positions, lines: &[Edge]) -> Figure {
         let (language, cut) = (self.source.language, self.cut);
         let window = window(cut, positions, self.margin, |_| false);
         let seen: Vec<&CutCell> = cut.cells.iter().filter(|cell| window.meets(&cell.outline)).collect();
@@ -43,6 +48,7 @@ impl Map<'_> {
             frame.darkest_is_lowest();
         }
         frame.outlines(&borders);
+        frame.shapes(lines);
         points(&mut frame, cut, positions);
         for cell in finite() {
             frame.cell(&cell.outline, cell.value * scale.factor);

@@ -9,6 +9,7 @@ use crate::section_maps::plastic_zones::{Files, Zones};
 use crate::section_maps::section_view::plane;
 use crate::source::Source;
 use crate::stages::names::called;
+use crate::stages::seepage;
 
 /// Room around caverns, as a part of their extent: what they disturb reaches about that far.
 const MARGIN: f64 = 0.6;
@@ -89,6 +90,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         };
         figures.push(map.figure(positions));
     }
+    figures.extend(seepage::map(source, &file, &slice, &heading, &when, positions));
     if missing {
         notes.push(say!(language, "Stresses are not drawn: the last file of the stages lacks s1 or s3."));
     }

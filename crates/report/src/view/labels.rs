@@ -7,6 +7,9 @@ pub fn label(language: Language, name: &str) -> String {
     match name {
         "s1" => say!(language, "largest principal stress s1"),
         "s3" => say!(language, "smallest principal stress s3"),
+        "p" => say!(language, "pressure of the water p"),
+        "s1_eff" => say!(language, "largest effective principal stress"),
+        "s3_eff" => say!(language, "smallest effective principal stress"),
         "s1_max" => say!(language, "largest s1 so far"),
         "s3_min" => say!(language, "smallest s3 so far"),
         "displacement_max" => say!(language, "largest displacement so far"),

@@ -52,6 +52,7 @@ fn stages() -> Vec<StageSummary> {
             installed: groups(if k == 4 { &["tunnel.lining"] } else { &[] }),
             changed: if k == 5 { vec!["tunnel.lining becomes hardened concrete".into()] } else { Vec::new() },
             changed_said: Vec::new(),
+            seepage: None,
             release: release[k],
             tolerance: 1e-5,
             cycles: 260 + 90 * k as u64,

@@ -5,7 +5,9 @@ use super::{Cracks, Envelopes};
 use crate::error::RunError;
 use crate::point_stress::{extremes, mean};
 use crate::quantities::{Field, field_name, of_element};
+use crate::stages::flow_in;
 use std::path::Path;
+use tremolite_engine::Stage;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
@@ -144,6 +146,18 @@ impl FieldGrid {
                 if let Some(widest) = memory.get(Cracks::OPENING) {
                     grid.cell_data.push(self.cells(Cracks::OPENING, "m", |s| widest[s.element as usize]));
                 }
+            }
+            Field::Seepage => {
+                let stage = match view.phase.stage {
+                    Stage::Before(k) => k.into(),
+                    Stage::Shaking => usize::MAX,
+                };
+                let Some(flow) = flow_in(&view.plan.stages, stage) else { return };
+                // Slabs of the ground outside have no flow of their own.
+                let of =
+                    |s: &ElementSlot| flow.velocities.get(s.element as usize).copied().unwrap_or_default();
+                let values = self.slots.iter().flat_map(of).map(|x| x as f32).collect();
+                grid.cell_data.push(Array::new("seepage", "m/s", 3, Values::Float32(values)));
             }
             Field::Plastic | Field::History | Field::Interface => {}
         }

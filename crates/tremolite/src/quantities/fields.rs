@@ -24,10 +24,11 @@ pub enum Field {
     Plastic,
     History,
     Interface,
+    Seepage,
 }
 
 impl Field {
-    pub const ALL: [Field; 10] = [
+    pub const ALL: [Field; 11] = [
         Field::Displacement,
         Field::Velocity,
         Field::Acceleration,
@@ -38,6 +39,7 @@ impl Field {
         Field::Plastic,
         Field::History,
         Field::Interface,
+        Field::Seepage,
     ];
 
     /// The word in `output.fields`, and the arrays it writes.
@@ -77,6 +79,11 @@ impl Field {
                 "interface",
                 "in files of their own, interfaces.pvd: gap, slip (m), pressure, shear (Pa), state, slid, opened, gap_max, \
                  slip_max (m) at the pairs of all interfaces",
+            ),
+            Field::Seepage => (
+                "seepage",
+                "seepage (m/s): specific discharge of the steady flow in the element (x, y, z), mean over its points, where pressures \
+                 come from seepage",
             ),
         }
     }

@@ -21,6 +21,7 @@ mod records;
 mod regions;
 mod reinforcement;
 mod sections;
+mod seepage;
 mod sides;
 mod site;
 mod soaked;
@@ -191,6 +192,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     soaked::soak(case, &mesh, &mut bodies, &mut staged, &mut problems);
     let bolts::Placed { bolts, warnings: of_bolts } = bolts::build(case, &mesh, &staged, held, &mut problems);
     stages::check_pressures(case, &mesh, &mut problems);
+    seepage::check_names(case, &mesh, &mut problems);
     stages::check_moved(case, &mesh, &staged.solid(), &mut problems);
     let lasting = staged.lasting(&bodies);
     let monitors = monitors::build(case, &mesh, &lasting, &mut problems);
@@ -310,13 +312,16 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let made_of = staged.materials.clone();
     warnings.extend(staged.fill(case, &mut problem));
     problem.water = water::of(case, &made_of, &problem.mesh, &problem.bodies);
+    let seeped = seepage::seep(case, &made_of, &problem).map_err(|refused| case.report(vec![refused]))?;
+    problem.water.spells.extend(seeped.spells);
+    warnings.extend(seeped.warnings);
     let output = &case.output;
     let plan = Plan {
         title: case.title.value.clone(),
         page: page::wish(&case.page),
         boundaries: boundaries(case),
         target: target::drawn(case),
-        stages: Staged::plan(case),
+        stages: seepage::planned(Staged::plan(case), seeped.flows),
         duration,
         recorded: recorded.flatten(),
         waves: at_angles,

@@ -4,7 +4,7 @@ use super::stages::Staged;
 use super::undrained;
 use super::water::{levels, mean, pores};
 use std::collections::{BTreeMap, BTreeSet};
-use tremolite_case::{Case, Diagnostic, MaterialWater};
+use tremolite_case::{Case, Diagnostic, MaterialWater, Pressure};
 use tremolite_engine::{Body, Life, Problem, Stage};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::topology::{all_faces, face_key};
@@ -114,7 +114,8 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
     let mesh = &space.mesh;
     let mut all = tied(case, space, staged);
     // What is taken out below the level leaves its walls under the pressure of still water.
-    let below = staged.standing().find(|&(e, body, life)| {
+    let flows = water.pressure.value == Pressure::Seepage;
+    let below = staged.standing().filter(|_| !flows).find(|&(e, body, life)| {
         let Some(Stage::Before(gone)) = life.gone else { return false };
         let porous = pores(case, staged.materials[body]).is_some();
         porous && mean(case, mesh, e as usize, levels[usize::from(gone)]) > 0.0
@@ -133,7 +134,8 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
                  walls are pushed in by all of it",
                 mesh.element_id(e as usize)
             ),
-            "lower the `level` of that stage below the opening where it drains the rock ([stage.water] level = …)",
+            "let the water flow to it: pressure = \"seepage\" with heads, and `permeability` of the rock; or lower the `level` of that stage below \
+             the opening",
         ));
     }
     let (low, high) = mesh.bounds();

@@ -11,7 +11,7 @@ pub use pressures::check_pressures;
 
 use super::changes::{Version, before, versions};
 use super::groups::nothing_fits;
-use super::{initial, water};
+use super::{initial, seepage, water};
 use crate::stages::PlannedStage;
 use faces::Faces;
 use pressures::{Around, loads, sides};
@@ -323,7 +323,14 @@ fn changes(case: &Case, stage: &case::Stage) -> Vec<Said> {
     let filled = stage.water.filled.iter().map(|(face, level)| {
         said!("{face} full of water to {level}", face = &face.value, level = water::shown(level.value))
     });
-    materials.chain(pressures).chain(level).chain(filled).chain(moved).chain(bolts).collect()
+    materials
+        .chain(pressures)
+        .chain(level)
+        .chain(filled)
+        .chain(seepage::changes(stage))
+        .chain(moved)
+        .chain(bolts)
+        .collect()
 }
 
 /// Name of what comes before all stages of a case.

@@ -36,6 +36,7 @@ mod relax;
 mod rims;
 mod rims_cavern;
 mod runs;
+mod seepage;
 mod setup_materials;
 mod shapes;
 mod soft_layers;

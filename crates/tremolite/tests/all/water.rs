@@ -112,8 +112,11 @@ fn what_is_not_there_yet_or_has_no_water_is_refused_with_a_way_out() {
         words.iter().for_each(|word| assert!(fault.contains(word), "{to}: no '{word}' in {fault}"));
     };
     let level = "level = \"-50 m\"";
-    refused(level, &format!("{level}\npressure = \"seepage\""), &["not in this version", "level"]);
-    refused(level, &format!("{level}\nheads = {{}}"), &["not available yet", "seepage"]);
+    refused(
+        level,
+        &format!("{level}\nheads = {{ sides = \"-50 m\" }}"),
+        &["only with steady seepage", "seepage"],
+    );
     refused("water = { biot = 0.8 }\n", "", &["below the water level", "none"]);
     refused("[water]\nlevel = \"-50 m\"\n", "", &["only where there is water"]);
     refused("biot = 0.8", "biot = 1.2", &["at most 1"]);

@@ -65,6 +65,7 @@ pub(super) fn print_stages(checked: &Checked, lines: Lines) {
                 stage.standing, stage.bare
             ));
         }
+        print_flow(checked, k);
         for piece in &stage.pieces {
             let held = match &piece.held {
                 Hold::Nothing => "nothing holds".to_owned(),
@@ -98,6 +99,36 @@ pub(super) fn print_stages(checked: &Checked, lines: Lines) {
             life(checked, Stage::Before(0), stand_in.gone)
         ));
     }
+}
+
+/// The seepage that begins with a stage: what walls and drains take.
+fn print_flow(checked: &Checked, stage: usize) {
+    let Some(flow) = checked.job.plan.stages.get(stage).and_then(|stage| stage.flow.as_ref()) else { return };
+    let taken = flow.taken().iter().map(|(name, q)| format!("{name} {}", discharge(*q)));
+    let taken: Vec<String> = taken.collect();
+    let what = if taken.is_empty() { "no wall and no drain takes water".into() } else { taken.join(", ") };
+    print(&format!(
+        "                seepage: {what}; mass error {:.0e}, {} iterations, {:.1} s{}",
+        flow.mass_error,
+        flow.iterations,
+        flow.seconds,
+        if flow.left > 1e-3 {
+            format!("; {} % of the permeability is left in dry ground", 100.0 * flow.left)
+        } else {
+            String::new()
+        }
+    ));
+}
+
+/// A flow of water as people read it.
+fn discharge(q: f64) -> String {
+    format!("{:.3e} m3/s ({} l/s)", q, figures(1e3 * q))
+}
+
+/// Three significant figures.
+fn figures(x: f64) -> String {
+    let places = if x == 0.0 { 0.0 } else { (2.0 - x.abs().log10().floor()).clamp(0.0, 9.0) };
+    format!("{x:.*}", places as usize)
 }
 
 fn life(checked: &Checked, born: Stage, gone: Option<Stage>) -> String {

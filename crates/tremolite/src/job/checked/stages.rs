@@ -2,6 +2,7 @@
 
 use super::{Checked, Relaxed};
 use crate::outlook::{Hold, Named, StressAt};
+use crate::seepage::StageFlow;
 use serde_json::{Value, json};
 use tremolite_engine::Stage;
 use tremolite_results::MaterialFacts;
@@ -27,7 +28,7 @@ impl Checked<'_> {
             let one = |g: &Named| json!({ "groups": g.pattern, "elements": g.elements });
             all.iter().map(one).collect::<Vec<_>>()
         };
-        let stages = outlook.stages.iter().map(|stage| {
+        let stages = outlook.stages.iter().zip(&self.job.plan.stages).map(|(stage, planned)| {
             let pieces = stage.pieces.iter().map(|piece| {
                 let (low, high) = piece.bounds;
                 let hangs = match &piece.held {
@@ -45,6 +46,7 @@ impl Checked<'_> {
                 "installed": groups(&stage.installed),
                 "release": stage.release,
                 "changed": stage.changed,
+                "seepage": planned.flow.as_ref().map(StageFlow::summary),
                 "standing": stage.standing,
                 "gone": stage.gone,
                 "begun": stage.begun,

@@ -9,6 +9,7 @@ use super::super::rows::{Cell, Seen, cells};
 use crate::error::RunError;
 use crate::moved;
 use crate::plan::{Monitor, Plan};
+use crate::seepage::StageFlow;
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -171,6 +172,7 @@ pub fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<StageSummar
                     .iter()
                     .filter_map(|(name, _)| Some(((*name).to_owned(), motion(name)?)))
                     .collect(),
+                seepage: planned.flow.as_ref().map(StageFlow::summary),
             }
         })
         .collect()
