@@ -56,7 +56,12 @@ impl Disk {
 
 /// Bytes that a run by this plan will write.
 pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, steps: Steps) -> Disk {
-    let (mesh, values) = field_bytes(model, phase, &plan.fields);
+    let pores = match plan.stages.iter().any(|stage| stage.flow.is_some()) {
+        true => Pores::Flowing,
+        false if plan.water => Pores::Still,
+        false => Pores::None,
+    };
+    let (mesh, values) = field_bytes(model, phase, &plan.fields, pores);
     let rows = |every: u64| steps.total.div_ceil(every) + 1;
     let totals = assembly.totals();
     let nodes = model.mesh_node.len() as u64;
@@ -158,8 +163,18 @@ fn along_depth_and_period(model: &Model, plan: &Plan) -> u64 {
     (depth + transfer + default_periods().len() * (1 + 3 * points)) as u64
 }
 
+/// What pores of the ground have, by which fields are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pores {
+    None,
+    /// Water.
+    Still,
+    /// Water that flows.
+    Flowing,
+}
+
 /// Bytes of a field file before compression: of the mesh with its groups, and of values.
-pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field]) -> (u64, u64) {
+pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field], pores: Pores) -> (u64, u64) {
     let active = |element: &u32| phase.element_slot[*element as usize].is_some();
     let cells = phase.element_slot.iter().flatten().count() as u64;
     let history = || model.user_bodies().iter().flat_map(|body| body.material.info().history);
@@ -169,8 +184,8 @@ pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field]) -> (u64, u64)
         let (node, cell) = match field {
             Field::Displacement | Field::Velocity | Field::Acceleration => (3, 0),
             Field::Stress => (0, 6),
-            Field::Seepage => (0, 3),
-            Field::Principal => (0, 2),
+            Field::Seepage => (0, if pores == Pores::Flowing { 3 } else { 0 }),
+            Field::Principal => (0, if pores == Pores::None { 2 } else { 5 }),
             Field::Envelope => (1, 2),
             Field::Damage => (0, u64::from(cracks)),
             Field::Plastic | Field::History | Field::Interface => (0, 0),

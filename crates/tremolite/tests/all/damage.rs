@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tremolite::damage::{damage, findings};
-use tremolite::disk::field_bytes;
+use tremolite::disk::{Pores, field_bytes};
 use tremolite::plan::{Monitor, Plan};
 use tremolite::quantities::Field;
 use tremolite::run::{Control, run};
@@ -223,7 +223,10 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let marks = grid.cell_data.iter().filter(|a| a.name.starts_with("group:")).count();
     let mesh =
         24 * grid.points.len() + 8 * grid.connectivity.len() + (8 + 1 + 8 + 4 + marks) * grid.types.len();
-    assert_eq!(field_bytes(&ready.model, &ready.phase, &Field::ALL), (mesh as u64, values as u64));
+    assert_eq!(
+        field_bytes(&ready.model, &ready.phase, &Field::ALL, Pores::None),
+        (mesh as u64, values as u64)
+    );
     let sum: f64 = cells("d_tension").iter().sum();
     assert!(sum > 0.9 * beyond(lining, "0.9") && sum < lining.volume, "{sum}");
     let [now, most] = ["d_b", "d_b_max"].map(cells);

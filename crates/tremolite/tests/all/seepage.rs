@@ -6,7 +6,7 @@ use tremolite::hexahedra::centroid;
 use tremolite::job::{Caller, Given, Inputs, Job};
 use tremolite::run::Control;
 use tremolite::seepage::StageFlow;
-use tremolite::simulation::Start;
+use tremolite::simulation::{Ending, Go, Start};
 use tremolite::stages::flow_in;
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_results::{ResultFolder, Status};
@@ -208,21 +208,29 @@ fn a_resumed_run_has_the_pressures_of_one_that_never_stopped() {
         "lateral = 0.5\n",
         "lateral = 0.5\n[[monitor]]\nname = \"A\"\nat = [\"44 m\", \"2 m\", \"-32 m\"]\n",
     );
-    let stopped = |name: &str, start: Start, early: bool| {
-        let results =
-            ResultFolder::create(Some(&folder.path().join(name)), name, matches!(start, Start::Resume))
-                .unwrap();
-        let stop = AtomicBool::new(early);
+    let job = made(&text);
+    let make = |name: &str| ResultFolder::create(Some(&folder.path().join(name)), name, false).unwrap();
+    let through = |results: &ResultFolder, start: Start| {
+        let stop = AtomicBool::new(false);
         let mut control = Control { stop: &stop, progress: &mut |_| {} };
-        let (_, summary) = made(&text).run(&results, start, &Caller::new("test"), &mut control).unwrap();
-        (summary, results)
+        made(&text).run(results, start, &Caller::new("test"), &mut control).unwrap().1
     };
-    let (whole, all) = stopped("whole", Start::Rest, false);
+    let all = make("whole");
+    let whole = through(&all, Start::Rest);
     assert_eq!(whole.conclusion.status, Status::Done, "{}", whole.conclusion.verdict);
-    let (half, _) = stopped("parts", Start::Rest, true);
-    assert_eq!(half.conclusion.status, Status::Stopped, "{}", half.conclusion.verdict);
-    let (resumed, parts) = stopped("parts", Start::Resume, false);
-    assert_eq!(resumed.conclusion.status, Status::Done, "{}", resumed.conclusion.verdict);
+    // Stopped when the hall has been dug, before its lining is placed.
+    let half = make("parts");
+    let begun = job.begin(&half, Start::Rest).unwrap();
+    let mut simulation = begun.simulation(&job, Vec::new()).unwrap();
+    (0..2).for_each(|_| drop(simulation.relax(&mut |_| Go::On).unwrap()));
+    assert!(simulation.stage().is_some());
+    let outcome = simulation.finish(Ending::Stopped, 0.0).unwrap();
+    let stopped = begun.end(&job, &outcome, &Caller::new("test")).unwrap();
+    assert_eq!(stopped.conclusion.status, Status::Stopped, "{}", stopped.conclusion.verdict);
+    drop((begun, half, simulation));
+    let parts = ResultFolder::resume(Some(&folder.path().join("parts")), "parts").unwrap();
+    let resumed = through(&parts, Start::Resume);
+    assert_eq!((resumed.conclusion.status, resumed.computed.run.resumed), (Status::Done, 1));
     let bytes = |folder: &ResultFolder| std::fs::read(folder.stages()).unwrap();
     assert_eq!(bytes(&all), bytes(&parts));
     assert_eq!(resumed.computed.stages, whole.computed.stages);
