@@ -224,6 +224,7 @@ fn a_resumed_run_has_the_pressures_of_one_that_never_stopped() {
     let mut simulation = begun.simulation(&job, Vec::new()).unwrap();
     (0..2).for_each(|_| drop(simulation.relax(&mut |_| Go::On).unwrap()));
     assert!(simulation.stage().is_some());
+    assert!(simulation.checkpoint().unwrap().is_none());
     let outcome = simulation.finish(Ending::Stopped, 0.0).unwrap();
     let stopped = begun.end(&job, &outcome, &Caller::new("test")).unwrap();
     assert_eq!(stopped.conclusion.status, Status::Stopped, "{}", stopped.conclusion.verdict);
