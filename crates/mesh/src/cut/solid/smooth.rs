@@ -124,8 +124,12 @@ fn ways(
     let tolerance = 1e-9 * norm(minus(high, low));
     let freedom = freedom::of(mesh, near, borders.parts, borders.planes);
     let normal = ground.plane.normal;
+    // Beyond the upright edges of the block columns of ground may stand, whose step goes by the shortest piece of an edge alone.
+    let on_an_edge =
+        |x: [f64; 3]| (0..2).all(|i| (x[i] - low[i]).abs() < tolerance || (x[i] - high[i]).abs() < tolerance);
     let way = |n: u32| -> Option<Way> {
-        if bent.contains(&n) || ground.partners.contains_key(&n) {
+        let fixed = bent.contains(&n) || ground.partners.contains_key(&n);
+        if fixed || on_an_edge(mesh.nodes[n as usize]) {
             return None;
         }
         let on = ground.plane.distance(mesh.nodes[n as usize]).abs() < tolerance;
