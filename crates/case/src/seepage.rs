@@ -90,14 +90,16 @@ pub(crate) fn check(case: &Fields, water: &Fields, materials: &[Material], probl
             "give heads, such as heads = { sides = \"-50 m\" }",
         ));
     }
-    let flows = |material: &Material| {
+    let used: Vec<String> =
+        case.tables("region").filter_map(|region| region.text("material")).map(|name| name.value).collect();
+    let flows = |material: &&Material| {
         let pores = material.fields.get("water").and_then(|node| node.table());
         pores.is_some_and(|pores| pores.get("permeability").is_some())
     };
-    if !materials.iter().any(flows) {
+    if !materials.iter().filter(|material| used.contains(&material.name.value)).any(|m| flows(&m)) {
         problems.push(Diagnostic::at(
             &pressure,
-            "no material has a permeability, so that no water flows",
+            "no material of a region has a permeability, so that no water flows",
             "give the rock one: water = { permeability = \"1e-7 m/s\" }",
         ));
     }

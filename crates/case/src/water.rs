@@ -11,6 +11,8 @@ use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
 
+const DRAINS: Kind = Kind::Either(&[Kind::Word(&[NONE]), Kind::Tables(&DRAIN)]);
+
 pub(crate) static WATER: Table = Table {
     path: "water",
     doc: "Water in the pores of the ground: laws then see effective stress.",
@@ -107,9 +109,9 @@ pub(crate) static OF_STAGE: Table = Table {
         Key::optional("drained", WALLS, "all walls of voids", seepage::ABOUT_DRAINED),
         Key::optional(
             "drains",
-            Kind::Tables(&DRAIN),
+            DRAINS,
             "",
-            "Lines and groups that take water from here on, in place of all before",
+            "Lines and groups that take water from here on, in place of all before; \"none\" ends those",
         ),
     ],
     choice: &[],
@@ -329,6 +331,7 @@ impl StageWater {
             heads: seepage::heads(water)?,
             drained: water.get("drained").map(|node| node.texts()),
             drains: match water.get("drains") {
+                Some(node) if node.text().is_some() => Some(Vec::new()),
                 Some(_) => Some(water.tables("drains").map(Drain::read).collect::<Option<_>>()?),
                 None => None,
             },

@@ -173,7 +173,18 @@ fn figures(sections: &[Placed]) -> Vec<SheetFigure> {
 /// What the method leaves out, for whoever signs.
 fn method(language: Language, summary: &Summary) -> Vec<String> {
     let mut all = vec![
-        say!(language, "Displacements and strains are small; there is no pore water and no temperature."),
+        match summary.computed.water.is_empty() {
+            true => {
+                say!(
+                    language,
+                    "Displacements and strains are small; there is no pore water and no temperature."
+                )
+            }
+            false => say!(
+                language,
+                "Displacements and strains are small; water does not flow during the earthquake, and there is no temperature."
+            ),
+        },
         say!(language, "Plane waves come in from below; the ground beside the model is that of its sides."),
         say!(
             language,

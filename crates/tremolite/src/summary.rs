@@ -14,12 +14,27 @@ use crate::survey::step_in_words;
 use crate::synchrony::synchrony;
 use crate::trust::{facts, on_broken_elements, trust};
 use indexmap::IndexMap;
+use tremolite_engine::Model;
 use tremolite_engine::column::corner_name;
 use tremolite_results::{
     BoltSummary, CaseFacts, Computed, Conclusion, Deconvolved, Finding, ModelFacts, MonitorFacts,
     MotionFacts as MotionSummary, PartFacts, SoilLayer, Soundness, Status, Summary, Wave, WavePart,
     peaks_by_monitor,
 };
+
+/// Where the water's pressure comes from, and what becomes of it in the earthquake.
+fn water(model: &Model, plan: &Plan) -> IndexMap<String, String> {
+    if model.water.spells.is_empty() {
+        return IndexMap::new();
+    }
+    let flows = plan.stages.iter().any(|stage| stage.flow.is_some());
+    let undrained = !model.water.modulus.is_empty();
+    let words = [
+        ("pressure", if flows { "seepage" } else { "level" }),
+        ("earthquake", if undrained { "undrained" } else { "drained" }),
+    ];
+    words.map(|(key, word)| (key.to_owned(), word.to_owned())).into()
+}
 
 /// The summary of a run that ended.
 pub fn summary(evidence: Evidence) -> Summary {
@@ -118,6 +133,7 @@ pub fn summary(evidence: Evidence) -> Summary {
                 lead: motion.lead,
             }),
             boundaries: plan.boundaries.clone(),
+            water: water(model, plan),
             run: evidence.run,
             stages: outcome.stages.clone(),
         },

@@ -9,7 +9,7 @@ use tremolite_motion::{Channel, ricker_velocity, write_text};
 pub struct Args {
     /// A folder that does not exist yet
     folder: PathBuf,
-    /// With water in the rock, which flows to the cavern until its lining closes it
+    /// With water in the rock, which flows to the cavern and behind its drained lining
     #[arg(long)]
     water: bool,
 }
@@ -34,7 +34,7 @@ heads    = { xmin = "-20 m", xmax = "-20 m" }   # where the water comes from
     ),
     (
         "# tensile_strength =",
-        r#"water       = "none"              # it closes the wall behind it, and the head builds up there
+        r#"water       = "none"              # it closes the wall behind it, unless its interface is drained
 "#,
     ),
     (
@@ -47,7 +47,7 @@ normal_stiffness = "20 GPa/m"
 shear_stiffness  = "10 GPa/m"
 friction         = 0.6
 cohesion         = "0 Pa"
-# water          = { drained = true }   # a drainage layer: no head outside
+water            = { drained = true }   # a drainage layer; without it the head builds up, more than flat walls bear
 
 "#,
     ),

@@ -56,6 +56,15 @@ pub const TEXTS: Texts = &[
         "小位移、小应变；不计孔隙水与温度。",
     ),
     (
+        "Displacements and strains are small; water does not flow during the earthquake, and there is no temperature.",
+        "小位移、小应变；地震期间不计渗流，不计温度。",
+    ),
+    ("Water", "地下水"),
+    ("still, by a level", "静水位"),
+    ("steady seepage", "稳定渗流"),
+    ("drained in the earthquake", "地震中排水"),
+    ("undrained in the earthquake", "地震中不排水"),
+    (
         "Plane waves come in from below; the ground beside the model is that of its sides.",
         "平面地震波自下部入射；模型以外的围岩与其侧面相同。",
     ),

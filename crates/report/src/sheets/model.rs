@@ -114,6 +114,19 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         let all: Vec<String> = all.collect();
         facts.push(card(say!(language, "Boundaries"), all.join("; "), ""));
     }
+    if let [Some(pressure), Some(earthquake)] =
+        ["pressure", "earthquake"].map(|key| summary.computed.water.get(key))
+    {
+        let from = match pressure.as_str() {
+            "seepage" => say!(language, "steady seepage"),
+            _ => say!(language, "still, by a level"),
+        };
+        let then = match earthquake.as_str() {
+            "undrained" => say!(language, "undrained in the earthquake"),
+            _ => say!(language, "drained in the earthquake"),
+        };
+        facts.push(card(say!(language, "Water"), from, then));
+    }
     let stages: Vec<&str> = summary.computed.stages.iter().skip(1).map(|s| s.name.as_str()).collect();
     if let [first, .., last] = stages[..]
         && stages.len() > NAMED

@@ -25,6 +25,10 @@ pub struct Computed {
     /// `base`, `x`, `y`, `top` → the boundary there while the ground shakes, by its word in a case; empty without an earthquake.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
     pub boundaries: IndexMap<String, String>,
+    /// `pressure` and `earthquake` → where the pressure of the water comes from and what becomes of it in the earthquake, by their words in
+    /// a case; empty without water.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub water: IndexMap<String, String>,
     /// Program and machine.
     pub run: RunFacts,
     /// Stages before the earthquake, in their order; the first is the initial equilibrium.

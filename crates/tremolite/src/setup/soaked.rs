@@ -4,7 +4,7 @@ use super::stages::Staged;
 use super::undrained;
 use super::water::{levels, mean, pores};
 use std::collections::{BTreeMap, BTreeSet};
-use tremolite_case::{Case, Diagnostic, MaterialWater, Pressure};
+use tremolite_case::{Case, Diagnostic, MaterialWater, Pressure, Spanned};
 use tremolite_engine::{Body, Life, Problem, Stage};
 use tremolite_mesh::Mesh;
 use tremolite_mesh::topology::{all_faces, face_key};
@@ -109,6 +109,12 @@ fn stage_of(life: Life) -> usize {
 
 /// What is unusual about a case's water.
 /// The problem has its mesh as it was read, bodies and interfaces.
+/// Heads of the case and its stages, with their places.
+fn heads(case: &Case) -> impl Iterator<Item = &(Spanned<String>, Spanned<f64>)> {
+    let first = case.water.iter().flat_map(|water| &water.heads);
+    first.chain(case.stages.iter().flat_map(|stage| &stage.water.heads))
+}
+
 pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
     let (levels, Some(water)) = (levels(case), &case.water) else { return Vec::new() };
     let mesh = &space.mesh;
@@ -144,6 +150,17 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
             &water.level,
             format!("the water level lies below the model, which ends at z = {} m", low[2]),
             "heights are along z, upwards; leave [water] out if the ground is dry",
+        ));
+    }
+    if let Some((place, head)) = heads(case).find(|(_, head)| head.value > high[2]) {
+        all.push(Diagnostic::at(
+            head,
+            format!(
+                "the head at '{}' lies {:.1} m above the highest ground, on which that water would press, and does not",
+                place.value,
+                head.value - high[2]
+            ),
+            "for a lake give filled = { top = … } in the stage, which presses and is a head; else give heads below the ground's surface",
         ));
     }
     if levels[0] > high[2] {

@@ -19,6 +19,8 @@ const POWER: i32 = 6;
 const JACOBIAN: f64 = 0.45;
 /// An element's own step, over the smallest without the plane, that does.
 const OWN_STEP: f64 = 0.2;
+/// A face on a side of the block, by its height over the same: ground that goes on beyond it has such elements.
+const SIDE_FACE: f64 = 0.4;
 /// Faults of elements and ratios of nodes up to which nothing moves: scaled Jacobians above a third, four fifths of the step.
 const GOOD_FAULT: f64 = 6.0;
 const GOOD_RATIO: f64 = 1.5;
@@ -55,6 +57,8 @@ struct Patch<'a> {
     /// The largest ratio of the mesh without the plane \[1/m²\], and its smallest step length \[m\].
     reference: f64,
     smallest: f64,
+    /// Nodes on sides of the block: a bit for each.
+    sides: HashMap<u32, u8>,
 }
 
 /// Moves nodes of what a plane changed to where the step is longest. `bent` are nodes that stand for the plane off it: they stay.
@@ -91,7 +95,9 @@ pub(super) fn smooth(
         .collect();
     let sums = ratios(&made.mesh, ground.smallest, around.into_iter());
     let smallest = ground.smallest;
-    let mut patch = Patch { mesh: &mut made.mesh, at, shares: HashMap::new(), sums, reference, smallest };
+    let sides = sides(&made.mesh, &corners);
+    let mut patch =
+        Patch { mesh: &mut made.mesh, at, shares: HashMap::new(), sums, reference, smallest, sides };
     for &e in &near {
         let share = patch.share(e, None);
         patch.shares.insert(e, share);
@@ -227,7 +233,13 @@ impl Patch<'_> {
         let (stiffness, mass, own) = stiffness(element.shape, x, self.smallest);
         let jacobian = quality::scaled_jacobian(element.shape, x);
         let jacobian = if jacobian.is_nan() { -1.0 } else { jacobian };
-        let fault = fault(JACOBIAN, jacobian) + fault(OWN_STEP, own / self.smallest);
+        let mut fault = power(JACOBIAN, jacobian) + power(OWN_STEP, own / self.smallest);
+        for face in element.shape.faces() {
+            let bits = face.iter().map(|&k| self.sides.get(&element.nodes[k]).copied().unwrap_or_default());
+            if bits.fold(u8::MAX, |all, own| all & own) != 0 {
+                fault += power(SIDE_FACE, height(face.iter().map(|&k| x[k])) / self.smallest);
+            }
+        }
         Share { stiffness, mass, fault }
     }
 
@@ -283,12 +295,37 @@ impl Patch<'_> {
     }
 }
 
+/// For nodes on sides normal to x and y a bit for each of the four.
+fn sides(mesh: &Mesh, nodes: &BTreeSet<u32>) -> HashMap<u32, u8> {
+    let (low, high) = mesh.bounds();
+    let tolerance = 1e-9 * norm(minus(high, low));
+    let bits = |n: u32| {
+        let x = mesh.nodes[n as usize];
+        let levels = [(0, low), (0, high), (1, low), (1, high)];
+        let on = levels.iter().enumerate().filter(|(_, (axis, at))| (x[*axis] - at[*axis]).abs() < tolerance);
+        on.fold(0, |bits, (k, _)| bits | 1 << k)
+    };
+    nodes.iter().map(|&n| (n, bits(n))).filter(|(_, bits)| *bits != 0).collect()
+}
+
+/// The height of a triangle over its longest edge \[m\], or about that of a quadrilateral.
+fn height(corners: impl Iterator<Item = [f64; 3]>) -> f64 {
+    let x: Vec<[f64; 3]> = corners.collect();
+    let longest = (0..x.len()).map(|k| norm(minus(x[(k + 1) % x.len()], x[k]))).fold(0.0, f64::max);
+    let across = match x[..] {
+        [a, b, c] => cross(minus(b, a), minus(c, a)),
+        [a, b, c, d] => cross(minus(c, a), minus(d, b)).map(|c| 0.5 * c),
+        _ => return longest,
+    };
+    norm(across) / longest
+}
+
 fn nodes_of(mesh: &Mesh, e: u32) -> impl Iterator<Item = u32> + '_ {
     mesh.elements[e as usize].nodes().iter().copied()
 }
 
 /// What a value below a good one costs: a power, and below a tenth of the good one a line, so that what is turned inside out turns back.
-fn fault(good: f64, value: f64) -> f64 {
+fn power(good: f64, value: f64) -> f64 {
     let least = 0.1 * good;
     (good / value.max(least)).powi(POWER) * (1.0 + (least - value).max(0.0) / good * f64::from(10 * POWER))
 }
