@@ -249,7 +249,7 @@ fn what_does_not_flow_is_refused_with_a_way_out() {
     let heads = "heads = { xmin = \"-5 m\", xmax = \"-5 m\" }\n";
     refused(heads, "", &["where the water of the seepage comes from", "heads = { sides"]);
     refused("pressure = \"seepage\"\n", "", &["`heads` has a meaning only with steady seepage"]);
-    refused(", permeability = \"1e-7 m/s\"", "", &["no material has a permeability", "1e-7 m/s"]);
+    refused(", permeability = \"1e-7 m/s\"", "", &["no material of a region has a permeability", "1e-7 m/s"]);
     refused("xmax = ", "xmaxx = ", &["nothing is called 'xmaxx'", "did you mean 'xmax'"]);
     refused(
         "excavate = [\"core\"]\n",

@@ -126,7 +126,10 @@ fn found(mesh: &Mesh, rock: &[u32]) -> Result<Vec<f64>, VerifyError> {
     };
     let flow = steady(&ground, &[place("wall", WALL, 0.0), place("outer", OUTER, WATER / weight)]);
     let heads = flow.map_err(|e| VerifyError::Setup(e.to_string()))?.heads;
-    Ok(mesh.nodes.iter().zip(heads).map(|(x, h)| if x[0].hypot(x[2]) < WALL { 0.0 } else { weight * h }).collect())
+    // Other nodes, of the core and of what stands apart, have none.
+    let own: std::collections::BTreeSet<u32> = elements.iter().flatten().copied().collect();
+    let pressure = |(n, h): (u32, f64)| if own.contains(&n) { weight * h } else { 0.0 };
+    Ok((0u32..).zip(heads).map(pressure).collect())
 }
 
 /// p \[Pa\] of the steady flow.
