@@ -181,11 +181,10 @@ pub(super) fn middle(faces: &Faces, at: &impl Fn(u32) -> [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| sum(i) / corners.len() as f64)
 }
 
-/// A length that goes with an element's own stable step: by the squares of its mean gradients, that of a cube is its edge.
-pub(super) fn step_length(element: &Element, at: &impl Fn(u32) -> [f64; 3]) -> f64 {
-    let x: Vec<[f64; 3]> = element.nodes().iter().map(|&n| at(n)).collect();
-    let mut areas = vec![[0.0; 3]; x.len()];
-    for face in element.shape.faces() {
+/// V b of an element's corners \[m²\], b their mean gradients: of each face a part as large as those of its other corners.
+pub(super) fn corner_areas(shape: Shape, x: &[[f64; 3]]) -> [[f64; 3]; 8] {
+    let mut areas = [[0.0; 3]; 8];
+    for face in shape.faces() {
         let (a, b) = match face[..] {
             [p, q, r] => (minus(x[q], x[p]), minus(x[r], x[p])),
             [p, q, r, s] => (minus(x[r], x[p]), minus(x[s], x[q])),
@@ -196,6 +195,13 @@ pub(super) fn step_length(element: &Element, at: &impl Fn(u32) -> [f64; 3]) -> f
             (0..3).for_each(|i| areas[k][i] += area[i]);
         }
     }
+    areas
+}
+
+/// A length that goes with an element's own stable step: by the squares of its mean gradients, that of a cube is its edge.
+pub(super) fn step_length(element: &Element, at: &impl Fn(u32) -> [f64; 3]) -> f64 {
+    let x: Vec<[f64; 3]> = element.nodes().iter().map(|&n| at(n)).collect();
+    let areas = corner_areas(element.shape, &x);
     let volume = quality::volume(element.shape, &x);
     let squares: f64 = areas.iter().map(|a| dot(*a, *a)).sum();
     if volume > 0.0 { volume * (1.5 / squares).sqrt() } else { 0.0 }

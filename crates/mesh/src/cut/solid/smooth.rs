@@ -7,6 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::freedom::{self, Freedom};
+use super::polyhedron::corner_areas;
 use super::{Ground, Made};
 use crate::plane::Plane;
 use crate::quality;
@@ -349,19 +350,7 @@ fn ratios(mesh: &Mesh, smallest: f64, elements: impl Iterator<Item = u32>) -> Ha
 /// V b·b of an element's corners \[m\], the volume of each \[m³\], and the element's own step length \[m\] (as `polyhedron::step_length`). In the first
 /// two a volume below a thousandth of `smallest`³ counts as that.
 fn stiffness(shape: Shape, x: &[[f64; 3]], smallest: f64) -> ([f64; 8], f64, f64) {
-    let mut areas = [[0.0; 3]; 8];
-    for face in shape.faces() {
-        let (a, b) = match face[..] {
-            [p, q, r] => (minus(x[q], x[p]), minus(x[r], x[p])),
-            [p, q, r, s] => (minus(x[r], x[p]), minus(x[s], x[q])),
-            _ => continue,
-        };
-        let area = cross(a, b).map(|c| 0.5 * c / face.len() as f64);
-        for &k in *face {
-            (0..3).for_each(|i| areas[k][i] += area[i]);
-        }
-    }
-    let squares = areas.map(|a| dot(a, a));
+    let squares = corner_areas(shape, x).map(|a| dot(a, a));
     let volume = quality::volume(shape, x);
     let own = volume.max(0.0) * (1.5 / squares.iter().sum::<f64>()).sqrt();
     let volume = volume.max(1e-3 * smallest.powi(3));
