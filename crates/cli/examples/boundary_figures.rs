@@ -4,6 +4,9 @@
 //! and a test compares them with it.
 
 use std::path::Path as File;
+use tremolite::problem::Rayleigh;
+use tremolite::waves::surface::coefficients;
+use tremolite::waves::{Rock, WaveType};
 use tremolite::{Base, Side};
 use tremolite_case::{Base as Given, Case};
 use tremolite_laws::materials::MATERIALS;
@@ -27,7 +30,11 @@ fn main() -> std::io::Result<()> {
 
 /// Every figure with the name of its file.
 pub fn figures() -> Vec<(&'static str, String)> {
-    vec![("reflected-waves.svg", reflected_waves()), ("reflected-energy.svg", reflected_energy())]
+    vec![
+        ("reflected-waves.svg", reflected_waves()),
+        ("reflected-energy.svg", reflected_energy()),
+        ("surface-motion.svg", surface_motion()),
+    ]
 }
 
 /// Distance R of the springs \[m\]. It and the ground's speed cancel: what counts is ωR/c_s.
@@ -132,6 +139,24 @@ fn reflected_energy() -> String {
             dashpots.into_iter().chain(sprung).collect()
         },
     )
+}
+
+/// What a surface of bare rock shows of a wave that comes up at an angle.
+fn surface_motion() -> String {
+    let rocks = [("", 0.25, 0), (", ν 0.4", 0.4, DASHED)];
+    draw("Largest displacement of bare rock over that of the wave that comes up; ν = 0.25", |wave| {
+        let kind = if wave == Wave::P { WaveType::P } else { WaveType::Sv };
+        let of = rocks.map(|(name, poisson, colour)| {
+            let (p, s) = Edge::new(poisson, Base::Viscous).ground.speeds;
+            let rock = Rock { density: 2700.0, p, s, band: None, rayleigh: Rayleigh::default(), water: None };
+            [(0, "along the ground"), (2, "up")].map(|(part, part_name)| {
+                curve(&format!("{part_name}{name}"), colour + part / 2, move |at| {
+                    coefficients(kind, at.to_radians(), &rock)[part].norm()
+                })
+            })
+        });
+        of.into_iter().flatten().collect()
+    })
 }
 
 /// The rows of the page's table: the share of the energy that is sent back.

@@ -1,5 +1,6 @@
 //! A file that grows, as tables of histories do.
 
+use crate::faults::{Answer, Want, ask};
 use crate::record::{Act, note};
 use crate::sync_folder_of;
 use std::fs::{File, OpenOptions};
@@ -20,6 +21,7 @@ impl Appended {
     /// # Errors
     /// As [`File::create`].
     pub fn create(path: &Path) -> io::Result<Appended> {
+        ask(path, Want::Room)?;
         let file = File::create(path)?;
         note(path, || Act::Create(path.to_owned()));
         Ok(Appended { file, path: path.to_owned() })
@@ -60,6 +62,7 @@ impl Appended {
     /// # Errors
     /// As [`File::set_len`].
     pub fn cut(&mut self, length: u64) -> io::Result<()> {
+        ask(&self.path, Want::Else)?;
         self.file.set_len(length)?;
         note(&self.path, || Act::Cut(self.path.clone(), length));
         self.file.seek(SeekFrom::End(0))?;
@@ -71,6 +74,7 @@ impl Appended {
     /// # Errors
     /// As [`File::sync_all`].
     pub fn sync(&self) -> io::Result<()> {
+        ask(&self.path, Want::Else)?;
         self.file.sync_all()?;
         note(&self.path, || Act::Sync(self.path.clone()));
         sync_folder_of(&self.path)
@@ -79,6 +83,10 @@ impl Appended {
 
 impl Write for Appended {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let bytes = match ask(&self.path, Want::Room)? {
+            Answer::Yes => bytes,
+            Answer::Half => &bytes[..bytes.len().div_ceil(2)],
+        };
         let count = self.file.write(bytes)?;
         note(&self.path, || Act::Write(self.path.clone(), bytes[..count].to_vec()));
         Ok(count)

@@ -2,15 +2,17 @@
 //!
 //! A file is there to stay once its content was synced, and its name once the folder was: [`replace`] does both, and [`Appended`] does
 //! when it is told to. Everything that a run writes goes through here, so that a test can [`record`] it and ask of every
-//! moment what a machine that lost power there would have left.
+//! moment what a machine that lost power there would have left, or let the disk [fail](faults) at any moment.
 
 #![forbid(unsafe_code)]
 
 mod appended;
+pub mod faults;
 pub mod record;
 
 pub use appended::Appended;
 
+use faults::{Want, ask};
 use record::{Act, note};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -61,6 +63,7 @@ pub fn is_half_written(path: &Path) -> bool {
 /// # Errors
 /// As [`fs::rename`].
 pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    ask(to, Want::Else)?;
     fs::rename(from, to)?;
     note(to, || Act::Rename(from.to_owned(), to.to_owned()));
     sync_folder_of(to)
@@ -73,6 +76,9 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
 pub fn make_folder(path: &Path) -> io::Result<()> {
     let missing: Vec<PathBuf> =
         path.ancestors().take_while(|folder| !folder.exists()).map(Path::to_owned).collect();
+    if !missing.is_empty() {
+        ask(path, Want::Room)?;
+    }
     fs::create_dir_all(path)?;
     for folder in missing.iter().rev() {
         note(folder, || Act::Folder(folder.clone()));
@@ -86,6 +92,7 @@ pub fn make_folder(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::remove_file`].
 pub fn remove(path: &Path) -> io::Result<()> {
+    ask(path, Want::Else)?;
     fs::remove_file(path)?;
     note(path, || Act::Remove(path.to_owned()));
     sync_folder_of(path)

@@ -24,7 +24,7 @@ use tremolite_results::{FieldFile, Pvd, SectionRow};
 use self::code::Grid16;
 use self::encode::Common;
 use self::fit::{fit, size};
-use self::manifest::{Manifest, Moment, PartData, PartKind};
+use self::manifest::{Arrow, Manifest, Moment, PartData, PartKind};
 use self::part::Part;
 use crate::language::say;
 use crate::page::size::{VIEW, limit};
@@ -78,6 +78,7 @@ fn within(source: &Source, blocks: &mut Blocks, budget: &dyn Fn(usize) -> usize)
         displacement_step: 0.0,
         displacement_largest: 0.0,
         parts: Vec::new(),
+        waves: Vec::new(),
         notes: vec![say!(source.language, "The view is left out. {why}.", why = why)],
     });
     // Only keys that are no texts could fail, and there are none.
@@ -146,6 +147,9 @@ fn drawn(
     notes.splice(0..0, notes::left_out(language, &left, budget));
     notes.extend(broken.map(|why| say!(language, "Interfaces are left out. {why}.", why = why)));
     notes.extend(notes::vectors(language, clock, &parts));
+    let coming = if clock == "earthquake" { &summary.computed.motion.waves[..] } else { &[] };
+    let waves: Vec<Arrow> = coming.iter().map(Arrow::of).collect();
+    notes.extend((!waves.is_empty()).then(|| notes::waves(language)));
     Ok(Manifest {
         version: 1,
         clock,
@@ -156,6 +160,7 @@ fn drawn(
         displacement_step: common.step,
         displacement_largest: largest_displacement(&parts),
         parts: data,
+        waves,
         notes,
     })
 }

@@ -159,7 +159,7 @@ impl ResultFolder {
         Ok(self)
     }
 
-    /// Removes what a run that was killed had half written, which no other can go on with.
+    /// Removes what a run that was killed had half written, which no other can go on with, and the checksums of a run that goes on.
     fn tidy(&self) {
         let folders = [
             self.root.clone(),
@@ -176,6 +176,10 @@ impl ResultFolder {
         for path in litter {
             // Litter that stays does no harm.
             let _ = tremolite_files::remove(&path);
+        }
+        // Of files that will now change; a loss of power may bring it back, and then it says so.
+        if self.checksums().exists() {
+            let _ = tremolite_files::remove(&self.checksums());
         }
     }
 
@@ -202,10 +206,9 @@ impl ResultFolder {
         Ok(Some(folder))
     }
 
-    /// Removes what a run writes. Other files in the folder stay.
-    fn clear(&self) -> Result<(), Error> {
-        for file in [
-            self.log(),
+    /// Files of its own folder that a run may write, but for the page and `log.txt`.
+    fn tables(&self) -> Vec<PathBuf> {
+        let files = [
             self.summary(),
             self.monitors(),
             self.energy(),
@@ -225,28 +228,61 @@ impl ResultFolder {
             self.utilisation(),
             self.bolts(),
             self.bolts_pvd(),
-            self.report(),
-        ] {
-            remove(&file, |path| fs::remove_file(path))?;
-            if file.extension().is_some_and(|x| x == "csv") {
-                remove(&columns::beside(&file), |path| fs::remove_file(path))?;
-            }
-        }
-        remove(&self.checkpoint(), |path| fs::remove_dir_all(path))?;
-        for (folder, extension) in [
+        ];
+        let columns = files.iter().filter(|file| file.extension().is_some_and(|x| x == "csv"));
+        let columns: Vec<PathBuf> = columns.map(|file| columns::beside(file)).collect();
+        files.into_iter().chain(columns).collect()
+    }
+
+    /// Files that are there of those which a run writes into folders of their kind, by path.
+    fn filed(&self, folders: &[(PathBuf, &str)]) -> Vec<PathBuf> {
+        let of = |(folder, extension): &(PathBuf, &str)| {
+            let entries = fs::read_dir(folder).ok().into_iter().flatten().flatten();
+            let named = entries.map(|entry| entry.path());
+            let mut named: Vec<PathBuf> =
+                named.filter(|path| path.extension().is_some_and(|x| x == *extension)).collect();
+            named.sort();
+            named
+        };
+        folders.iter().flat_map(of).collect()
+    }
+
+    fn fields_and_tables(&self) -> [(PathBuf, &'static str); 5] {
+        [
             (self.fields(), "vtu"),
             (self.interface_fields(), "vtu"),
             (self.stage_fields(), "vtu"),
             (self.bolt_fields(), "vtu"),
-            (self.figures(), "svg"),
             (self.own_tables(), "csv"),
-        ] {
-            let Ok(entries) = fs::read_dir(&folder) else { continue };
-            for entry in entries.flatten().filter(|e| e.path().extension().is_some_and(|x| x == extension)) {
-                remove(&entry.path(), |path| fs::remove_file(path))?;
+        ]
+    }
+
+    /// What is there of a run's results, but for what can be made of them again.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub(crate) fn written(&self) -> Result<Vec<PathBuf>, Error> {
+        let mut files = vec![self.case()];
+        files.extend(self.tables());
+        files.extend(self.filed(&self.fields_and_tables()));
+        let mut there = Vec::new();
+        for file in files {
+            if file.try_exists().map_err(Error::io(&file, "read this file"))? {
+                there.push(file);
             }
         }
-        Ok(())
+        Ok(there)
+    }
+
+    /// Removes what a run writes. Other files in the folder stay.
+    fn clear(&self) -> Result<(), Error> {
+        let own = [self.log(), self.report(), self.checksums()];
+        let figures = [(self.figures(), "svg")];
+        let files = own.into_iter().chain(self.tables()).chain(self.filed(&self.fields_and_tables()));
+        for file in files.chain(self.filed(&figures)) {
+            remove(&file, |path| fs::remove_file(path))?;
+        }
+        remove(&self.checkpoint(), |path| fs::remove_dir_all(path))
     }
 
     /// The folder itself.

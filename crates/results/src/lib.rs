@@ -35,6 +35,7 @@ pub mod bolt_group;
 pub mod bolt_lines;
 pub mod bolts;
 mod by_name;
+pub mod checksums;
 mod column;
 pub mod columns;
 pub mod cut;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Files and folders of a result folder that may differ between runs of the same bits: what was written when the clock said so, what was
 /// said, and the page, which is made of all else and says when, where and how long.
-pub const OTHER_FILES: [&str; 4] = ["checkpoint", "log.txt", "report.html", "run.lock"];
+pub const OTHER_FILES: [&str; 5] = ["SHA256SUMS", "checkpoint", "log.txt", "report.html", "run.lock"];
 /// What may differ of summary.json: the clock, host and program, ranks and threads, and how often the run was taken up again.
 pub const OTHER_FACTS: [&str; 3] = ["wall_seconds", "element_updates_per_second", "run"];
 

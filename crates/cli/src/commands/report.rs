@@ -1,7 +1,7 @@
 //! `tremolite report`: the page again, from the result files; or runs beside one another.
 
 use crate::exit::{Code, Failure, Outcome};
-use crate::terminal::print;
+use crate::terminal::{print, warn};
 use std::path::PathBuf;
 use tremolite_case::Limits;
 use tremolite_report::Language;
@@ -35,7 +35,10 @@ pub fn run(args: &Args) -> Outcome {
         return Ok(Code::Done);
     }
     for folder in args.folder.iter().chain(&args.compare) {
-        tremolite_results::ResultFolder::open_existing(folder).map_err(Failure::input)?;
+        let folder = tremolite_results::ResultFolder::open_existing(folder).map_err(Failure::input)?;
+        let damaged = folder.damaged().map_err(Failure::input)?;
+        let remedy = |file: &String| format!("{file}; restore it from a copy, or run the case again");
+        warn(&damaged.iter().map(remedy).collect::<Vec<_>>());
     }
     let limits = match &args.limits {
         Some(file) => Some(Limits::from_file(file).map_err(Failure::input)?),

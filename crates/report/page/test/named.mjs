@@ -1,4 +1,4 @@
-// Gives groups of a result folder names that are markup: node test/named.mjs FOLDER NAME=NEW …
+// Gives groups of a result folder names that are markup, and its motion a wave at 25° whose type is: node test/named.mjs FOLDER NAME=NEW …
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
@@ -20,3 +20,19 @@ for (const file of readdirSync(folder, { recursive: true }).filter((name) => /\.
   }
   writeFileSync(path, text, "latin1");
 }
+
+const path = join(folder, "summary.json");
+const summary = JSON.parse(readFileSync(path, "utf8"));
+const angle = (25 * Math.PI) / 180;
+const wave = {
+  type: "<SV>",
+  angle,
+  azimuth: Math.PI / 2,
+  way: [Math.sin(angle), 0, Math.cos(angle)],
+  polarisation: [Math.cos(angle), 0, -Math.sin(angle)],
+  parts: [{ component: "east", factor: 1, phase: 0 }],
+  apparent_velocity: 2840,
+  arrives: true,
+};
+summary.motion.waves = [wave];
+writeFileSync(path, JSON.stringify(summary));

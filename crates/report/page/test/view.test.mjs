@@ -204,3 +204,35 @@ test("groups with names that are markup are shown with these names", () =>
     const text = await page.locator("#view").innerText();
     for (const name of ["<script>", "</script>"]) assert.ok(text.includes(name), `${name} is not in the view`);
   }));
+
+/** Whether points of the overlay are of the colour of a wave's way: how many, and the mean of the upper and of the lower half of them. */
+const wavePoints = (page) =>
+  page.evaluate(async () => {
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    const canvas = document.querySelector("#view canvas.view-over");
+    const { data, width } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const points = [];
+    for (let i = 0; i < data.length; i += 4) {
+      const off = Math.max(...[0xb0, 0x56, 0x1b].map((of, k) => Math.abs(data[i + k] - of)));
+      if (data[i + 3] > 250 && off < 8) points.push([(i / 4) % width, Math.floor(i / 4 / width)]);
+    }
+    points.sort((p, q) => p[1] - q[1]);
+    const mean = (some) => [0, 1].map((k) => some.reduce((sum, point) => sum + point[k], 0) / some.length);
+    const half = points.length >> 1;
+    return { count: points.length, upper: mean(points.slice(0, half)), lower: mean(points.slice(half)) };
+  });
+
+test("a wave that comes in at 25° is an arrow of that slope, where no wave does there is none", async () => {
+  await withPage(running, "named", async (page) => {
+    await page.locator("#view").scrollIntoViewIfNeeded();
+    await show(page, { look: "y" });
+    const { count, upper, lower } = await wavePoints(page);
+    assert.ok(count > 40, `${count} points`);
+    const slope = (Math.atan2(upper[0] - lower[0], lower[1] - upper[1]) * 180) / Math.PI;
+    assert.ok(Math.abs(slope - 25) < 4, `${slope}° from upright`);
+  });
+  await withPage(running, "english", async (page) => {
+    await page.locator("#view").scrollIntoViewIfNeeded();
+    assert.equal((await wavePoints(page)).count, 0);
+  });
+});

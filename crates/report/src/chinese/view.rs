@@ -37,6 +37,10 @@ pub const TEXTS: Texts = &[
         "Vectors and tensors other than the displacement are not in the view; {folder} holds them: {names}.",
         "除位移外，矢量和张量不在三维视图中，见 {folder}：{names}。",
     ),
+    (
+        "Arrows beside the axes are the waves: each points along the wave's way in the rock of the base, and the thin line across or along it is the direction in which the wave moves the rock.",
+        "坐标轴旁的箭头为入射波：箭头指向波在基底岩体中的传播方向，细线为质点的振动方向。",
+    ),
     ("largest principal stress s1", "第一主应力 s1"),
     ("smallest principal stress s3", "第三主应力 s3"),
     ("largest effective principal stress", "第一有效主应力"),

@@ -1,6 +1,9 @@
 //! What the page's script is told of the view: the blocks that hold numbers, and what these mean. SI throughout.
 
 use serde::Serialize;
+use tremolite_results::Wave;
+
+use crate::quantities::scale::trimmed;
 
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -19,8 +22,27 @@ pub struct Manifest {
     /// The largest component of any displacement about the mean (m).
     pub displacement_largest: f64,
     pub parts: Vec<PartData>,
+    /// Plane waves at angles, during the earthquake.
+    pub waves: Vec<Arrow>,
     /// For the reader.
     pub notes: Vec<String>,
+}
+
+/// How a wave comes in.
+#[derive(Serialize)]
+pub struct Arrow {
+    pub label: String,
+    /// Its way along x, y, z of the model, of length 1.
+    pub way: [f64; 3],
+    /// What it moves, likewise.
+    pub polarisation: [f64; 3],
+}
+
+impl Arrow {
+    pub fn of(wave: &Wave) -> Arrow {
+        let angle = trimmed(&format!("{:.2}", wave.angle.to_degrees()));
+        Arrow { label: format!("{} {angle}°", wave.kind), way: wave.way, polarisation: wave.polarisation }
+    }
 }
 
 /// A time, or the end of a stage.

@@ -81,3 +81,11 @@ pub fn vectors(language: Language, clock: &str, parts: &[Part]) -> Option<String
         )
     })
 }
+
+/// What the arrows beside the axes are.
+pub fn waves(language: Language) -> String {
+    say!(
+        language,
+        "Arrows beside the axes are the waves: each points along the wave's way in the rock of the base, and the thin line across or along it is the direction in which the wave moves the rock."
+    )
+}

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::Value;
 use tremolite_mesh::vtu::{Array, Grid, Values};
 use tremolite_mesh::{Element, Mesh, Shape};
-use tremolite_results::{Cracks, GroupDamage, Pvd, ResultFolder, Summary};
+use tremolite_results::{Cracks, GroupDamage, Pvd, ResultFolder, Summary, Wave};
 
 use super::within;
 use crate::script::blocks::Blocks;
@@ -133,4 +133,26 @@ fn times_are_told_without_the_round_off_of_their_steps() {
     let labels: Vec<&str> =
         manifest["times"].as_array().unwrap().iter().map(|time| time["label"].as_str().unwrap()).collect();
     assert_eq!(labels, ["0 s", "1.5 s", "0.3 s", "12.345678 s"]);
+}
+
+#[test]
+fn waves_at_angles_are_arrows_during_the_earthquake_alone() {
+    let temp = tempfile::tempdir().unwrap();
+    let mut source = source(temp.path());
+    assert_eq!(view(&source, usize::MAX).0["waves"], Value::Array(Vec::new()));
+    let (sin, cos) = 0.45f64.sin_cos();
+    let wave = Wave {
+        kind: "SV".into(),
+        angle: 0.45,
+        way: [sin, 0.0, cos],
+        polarisation: [cos, 0.0, -sin],
+        ..Wave::default()
+    };
+    source.summary.as_mut().unwrap().computed.motion.waves = vec![wave];
+    let (manifest, _) = view(&source, usize::MAX);
+    let arrow = &manifest["waves"][0];
+    assert_eq!(arrow["label"], "SV 25.78°");
+    assert_eq!(arrow["way"], serde_json::json!([sin, 0.0, cos]));
+    assert_eq!(arrow["polarisation"], serde_json::json!([cos, 0.0, -sin]));
+    assert!(manifest["notes"].to_string().contains("Arrows beside the axes"));
 }

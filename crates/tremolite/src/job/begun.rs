@@ -218,6 +218,7 @@ impl Begun {
             wall_seconds: caller.since.elapsed().as_secs_f64() + earlier,
         });
         summary.write(&folder.summary())?;
+        folder.write_checksums()?;
         Ok(summary)
     }
 }

@@ -2,9 +2,9 @@
 
 use super::memory::Inputs;
 use sha2::{Digest, Sha256};
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use tremolite_case::Case;
+use tremolite_results::checksums::{hash, hex};
 use tremolite_results::{Input, Summary};
 
 /// Name of the case among its inputs.
@@ -33,25 +33,6 @@ pub fn inputs(case: &Case, held: &Inputs) -> Vec<Input> {
         });
     }
     inputs
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// SHA-256 of a file's bytes, in hexadecimal digits.
-///
-/// # Errors
-/// If it cannot be read.
-pub fn hash(path: &Path) -> std::io::Result<String> {
-    let mut file = std::fs::File::open(path)?;
-    let (mut hasher, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
-    loop {
-        match file.read(&mut buffer)? {
-            0 => return Ok(hex(&hasher.finalize())),
-            read => hasher.update(&buffer[..read]),
-        }
-    }
 }
 
 /// The folder in which the case of a result folder once lay: from there it names its files. None for a case that is no

@@ -36,7 +36,7 @@ mod wave_sides;
 mod waves;
 
 pub use facts::{CarriedFacts, MotionFacts, SiteFacts, SoilFacts, WaveFacts};
-pub use inputs::{changed, hash, original_folder};
+pub use inputs::{changed, original_folder};
 pub use memory::Inputs;
 pub use page::limits;
 pub use target::of_case as target_of;

@@ -11,6 +11,7 @@ mod contact;
 mod cracked_damping;
 mod damage;
 mod depth;
+mod disk_faults;
 mod engine;
 mod free_field;
 mod free_field_file;

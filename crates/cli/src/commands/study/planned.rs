@@ -3,10 +3,11 @@
 use crate::commands::infos;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
-use tremolite::setup::{hash, motion_of, target_of};
+use tremolite::setup::{motion_of, target_of};
 use tremolite_case::study::StudyFile;
 use tremolite_case::{Case, Diagnostic, Language, Laws, Report};
 use tremolite_motion::TargetSpectrum;
+use tremolite_results::checksums::hash;
 use tremolite_study::plan::Plan;
 use tremolite_study::prepare;
 use tremolite_study::results::Prepared;

@@ -27,6 +27,13 @@ export interface PartHeld {
   fields: FieldHeld[];
 }
 
+/** A plane wave that comes in during the earthquake. */
+export interface WaveHeld {
+  label: string;
+  way: [number, number, number];
+  polarisation: [number, number, number];
+}
+
 /** The whole model: coordinates are origin + step * u16, displacements mean + displacementStep * i16, in SI. */
 export interface Manifest {
   version: 1;
@@ -39,6 +46,8 @@ export interface Manifest {
   /** The largest component of any displacement about the mean, m. */
   displacementLargest: number;
   parts: PartHeld[];
+  /** Waves at angles: ways and what they move, of length 1. */
+  waves: WaveHeld[];
   notes: string[];
 }
 

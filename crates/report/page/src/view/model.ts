@@ -109,6 +109,7 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
       } || null,
       panels: stage.places(used().length).map((place, i) => ({ ...place, lines: captionOf(used()[i].time) })),
       camera: eye.camera,
+      waves: held.waves,
     };
   };
   const captionOf = (time: number): string[] => {

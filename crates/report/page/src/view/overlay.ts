@@ -4,6 +4,7 @@ import { placing, type Range, type Scheme, table } from "./colours";
 import { minus } from "./units";
 import { ticks } from "./ticks";
 import type { Shown } from "./units";
+import type { WaveHeld } from "./manifest";
 import { words } from "./words";
 
 export interface Overlay {
@@ -19,7 +20,11 @@ export interface Overlay {
   /** By panel: where it is, and its lines of text. */
   panels: { left: number; top: number; width: number; height: number; lines: string[] }[];
   camera: Camera;
+  waves: WaveHeld[];
 }
+
+/** Of the ways of waves. */
+const WAVE = "#b0561b";
 
 const FONT = '12px system-ui, -apple-system, "Segoe UI", Roboto, sans-serif';
 
@@ -48,6 +53,7 @@ export function drawOverlay(pen: CanvasRenderingContext2D, over: Overlay) {
   if (over.bar) drawBar(pen, over, over.bar);
   const corner = over.panels[0];
   drawAxes(pen, over, corner.left + 38, corner.top + corner.height - 38);
+  over.waves.forEach((wave, k) => drawWave(pen, over, wave, corner.left + 112 + 74 * k, corner.top + corner.height - 44));
 }
 
 function widthOf(pen: CanvasRenderingContext2D, line: string, bold: boolean): number {
@@ -197,4 +203,44 @@ function drawAxes(pen: CanvasRenderingContext2D, over: Overlay, x: number, y: nu
     text(pen, name, x + 30 * way.x, y - 30 * way.y, colour, true);
   }
   pen.textAlign = "start";
+}
+
+/** A wave as it is turned: an arrow along its way, thinner what it moves, and its name. */
+function drawWave(pen: CanvasRenderingContext2D, over: Overlay, wave: WaveHeld, x: number, y: number) {
+  const inverse = over.camera.quaternion.clone().invert();
+  const seen = (of: [number, number, number], length: number): [number, number] => {
+    const turned = new Vector3(...of).applyQuaternion(inverse).multiplyScalar(length);
+    return [turned.x, -turned.y];
+  };
+  ground(pen, over, x - 35, y - 34, 70, 76);
+  pen.strokeStyle = pen.fillStyle = over.ink;
+  const [px, py] = seen(wave.polarisation, 20);
+  pen.lineWidth = 1;
+  arrow(pen, x - px, y - py, x + px, y + py, 4);
+  arrow(pen, x + px, y + py, x - px, y - py, 4);
+  pen.strokeStyle = pen.fillStyle = WAVE;
+  const [dx, dy] = seen(wave.way, 24);
+  pen.lineWidth = 2.5;
+  arrow(pen, x - dx, y - dy, x + dx, y + dy, 9);
+  pen.textAlign = "center";
+  text(pen, wave.label, x, y + 35, over.ink);
+  pen.textAlign = "start";
+}
+
+/** A line that ends in a head, which is shorter where the line is. */
+function arrow(pen: CanvasRenderingContext2D, fromX: number, fromY: number, toX: number, toY: number, head: number) {
+  const [wayX, wayY] = [toX - fromX, toY - fromY];
+  const length = Math.hypot(wayX, wayY);
+  if (length < 1) return;
+  const [x, y] = [wayX / length, wayY / length];
+  const long = Math.min(head, length / 2);
+  pen.beginPath();
+  pen.moveTo(fromX, fromY);
+  pen.lineTo(toX - long * x, toY - long * y);
+  pen.stroke();
+  pen.beginPath();
+  pen.moveTo(toX, toY);
+  pen.lineTo(toX - long * x - 0.45 * long * y, toY - long * y + 0.45 * long * x);
+  pen.lineTo(toX - long * x + 0.45 * long * y, toY - long * y - 0.45 * long * x);
+  pen.fill();
 }

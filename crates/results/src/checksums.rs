@@ -1,0 +1,116 @@
+//! `SHA256SUMS`: what a run that ended wrote, file by file, so that damage done later is found; `sha256sum -c SHA256SUMS` reads it as well.
+
+use crate::{Error, ResultFolder, replace_file};
+use sha2::{Digest, Sha256};
+use std::fs;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+const NAME: &str = "SHA256SUMS";
+
+/// SHA-256 of a file's bytes, in hexadecimal digits.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn hash(path: &Path) -> io::Result<String> {
+    let mut file = fs::File::open(path)?;
+    let (mut hasher, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
+    loop {
+        match file.read(&mut buffer)? {
+            0 => return Ok(hex(&hasher.finalize())),
+            read => hasher.update(&buffer[..read]),
+        }
+    }
+}
+
+/// Bytes in hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+impl ResultFolder {
+    /// `SHA256SUMS`, a line of digits and path for each file that the run wrote but for the page, figures, `log.txt` and checkpoints.
+    pub fn checksums(&self) -> PathBuf {
+        self.root().join(NAME)
+    }
+
+    /// Writes the checksums of what is there now.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn write_checksums(&self) -> Result<(), Error> {
+        let mut lines = String::new();
+        for path in self.written()? {
+            let digits = hash(&path).map_err(Error::io(&path, "read this file"))?;
+            let name = path.strip_prefix(self.root()).unwrap_or(&path);
+            // With '/' on every system, as sha256sum has it.
+            let name = name.iter().map(|part| part.to_string_lossy()).collect::<Vec<_>>().join("/");
+            lines += &format!("{digits}  {name}\n");
+        }
+        replace_file(&self.checksums(), lines.as_bytes())
+    }
+
+    /// Files that are not as the run that ended left them, or are missing, in words; none where there are no checksums, as while a run is under
+    /// way.
+    ///
+    /// # Errors
+    /// [`Error::Io`] if the checksums cannot be read.
+    pub fn damaged(&self) -> Result<Vec<String>, Error> {
+        let path = self.checksums();
+        let text = match fs::read_to_string(&path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+            text => text.map_err(Error::io(&path, "read this file"))?,
+        };
+        let found = |line: &str| {
+            let Some((digits, name)) = line.split_once("  ") else {
+                return Some(format!("{}: a line is no checksum with a name: {line:?}", path.display()));
+            };
+            let file = self.root().join(name);
+            match hash(&file) {
+                Ok(now) if now == digits => None,
+                Ok(_) => Some(format!("{}: it is not what the run wrote", file.display())),
+                Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                    Some(format!("{}: the run wrote it, and it is not there any more", file.display()))
+                }
+                Err(e) => Some(format!("{}: cannot read this file: {e}", file.display())),
+            }
+        };
+        Ok(text.lines().filter_map(found).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_damaged_is_named_until_a_run_goes_on() {
+        // The digest of no bytes, as sha256sum prints it.
+        const NOTHING: &str = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
+        let temp = tempfile::tempdir().unwrap();
+        let folder = ResultFolder::create(Some(temp.path()), "case", false).unwrap();
+        let field = folder.fields().join("000000.vtu");
+        fs::write(&field, "field").unwrap();
+        fs::write(folder.energy(), "").unwrap();
+        fs::write(temp.path().join("own.csv"), "somebody's own").unwrap();
+        assert!(folder.damaged().unwrap().is_empty());
+        folder.write_checksums().unwrap();
+        let text = fs::read_to_string(folder.checksums()).unwrap();
+        assert!(text.contains(&format!("{NOTHING}  energy.csv\n")) && text.contains("  fields/000000.vtu\n"));
+        assert_eq!(text.lines().count(), 2, "{text}");
+        assert!(folder.damaged().unwrap().is_empty());
+
+        fs::write(&field, "fielD").unwrap();
+        fs::remove_file(folder.energy()).unwrap();
+        let said = folder.damaged().unwrap().join("\n");
+        assert!(said.contains("000000.vtu: it is not what the run wrote"), "{said}");
+        assert!(said.contains("energy.csv: the run wrote it, and it is not there any more"), "{said}");
+
+        // Of a run that goes on, whose files change.
+        fs::create_dir_all(folder.checkpoint()).unwrap();
+        fs::write(folder.checkpoint().join(crate::CHECKPOINTS[0]), "state").unwrap();
+        drop(folder);
+        let folder = ResultFolder::resume(Some(temp.path()), "case").unwrap();
+        assert!(!folder.checksums().exists() && folder.damaged().unwrap().is_empty());
+    }
+}
