@@ -143,7 +143,7 @@ fn of_interfaces(source: &Source, table: &Table) -> Option<String> {
     if let Some(created) = last("created_by_interface") {
         let more = say!(
             language,
-            "Laws of interfaces have given out {created} that nobody put in.",
+            "Interface laws have created {created}.",
             created = created
         );
         text = join(language, &text, &more);

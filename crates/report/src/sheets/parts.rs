@@ -19,7 +19,7 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
         [
             say!(language, "utilisation, thrust and moment"),
             say!(language, "in shear"),
-            say!(language, "stations beyond 1"),
+            say!(language, "stations above 1"),
             say!(language, "cracked volume"),
             say!(language, "widest crack"),
             say!(language, "through the thickness"),
