@@ -197,7 +197,7 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
         say!(language, "Plane waves come in from below; the ground beside the model is that of its sides."),
         say!(
             language,
-            "The width of a single crack depends on the mesh; pieces that come loose are not followed."
+            "The width of a single crack depends on the mesh, and is an upper bound where cracks turn parallel to a thin lining; pieces that come loose are not followed."
         ),
     ];
     if summary.parts.sections.is_empty() {

@@ -83,8 +83,8 @@ pub const TEXTS: Texts = &[
         "平面地震波自下部入射；模型以外的围岩与其侧面相同。",
     ),
     (
-        "The width of a single crack depends on the mesh; pieces that come loose are not followed.",
-        "单条裂缝的宽度与网格有关；脱落的块体不作追踪。",
+        "The width of a single crack depends on the mesh, and is an upper bound where cracks turn parallel to a thin lining; pieces that come loose are not followed.",
+        "单条裂缝的宽度与网格有关，薄衬砌中裂缝转为平行于洞壁处为上限值；脱落的块体不作追踪。",
     ),
     (
         "No section is judged by a code: [[section]] in the case asks for it. Detailing is not checked.",
@@ -116,10 +116,7 @@ pub const TEXTS: Texts = &[
     ("none in this run", "本次计算无地震"),
     ("its level is not given", "未给出设防水准"),
     ("on outcropping rock; half of it is the incident wave", "基岩露头表面；其一半自下部入射"),
-    (
-        "the wave that comes in from below; outcropping rock would move twice as much",
-        "自下部入射的波；基岩露头处为其两倍",
-    ),
+    ("the incident wave; a rock outcrop moves twice as much", "入射波；基岩露头处为其两倍"),
     ("within the ground, at the depth of the record", "地层内部，记录所在深度"),
     ("at the surface of the ground", "地表"),
     ("Meant", "设定位置"),

@@ -22,7 +22,12 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let without = |note: String, loose: &[&str]| match loose.is_empty() {
         true => note,
         false => {
-            say!(language, "{first}; not counted, since loose: {names}", first = note, names = loose.join(", "))
+            say!(
+                language,
+                "{first}; not counted, since loose: {names}",
+                first = note,
+                names = loose.join(", ")
+            )
         }
     };
     if let Ok(table) = &source.monitors {

@@ -118,12 +118,7 @@ fn extent(section: &[&Station], i: usize) -> Option<(f64, f64)> {
 }
 
 /// One force over the shape; with `numbered`, its largest values to either side stand at their ordinates.
-fn diagram(
-    svg: &mut Svg,
-    (section, places): (&[&Station], &[(f64, f64)]),
-    i: usize,
-    numbered: bool,
-) {
+fn diagram(svg: &mut Svg, (section, places): (&[&Station], &[(f64, f64)]), i: usize, numbered: bool) {
     let joints = joints(section);
     let normals = normals(&joints, places);
     // A positive moment stretches the intrados, which is inside. Thrust mostly compresses, and has more room outside.

@@ -277,7 +277,11 @@ pub fn figure(
     let mut caption = say!(language, "Of the section drawn below.");
     if cut {
         let most = figures(most, 2);
-        caption.push_str(&say!(language, " Values above {most}, infinite ones too, are drawn at {most}.", most = most));
+        caption.push_str(&say!(
+            language,
+            " Values above {most}, infinite ones too, are drawn at {most}.",
+            most = most
+        ));
     }
     Some(Figure {
         heading: title,

@@ -191,7 +191,7 @@ fn utilisation(source: &Source, summary: &Summary) -> Found {
     let (lining, shear, used) = all.max_by(|a, b| size(a.2.value).total_cmp(&size(b.2.value)))?;
     let language = source.language;
     let way = if shear { say!(language, "in shear") } else { say!(language, "in thrust and moment") };
-    let mut note = format!("{way}, {lining} {}", place(source, &used));
+    let mut note = format!("{way}{}{lining} {}", say!(language, ", "), place(source, &used));
     if summary.parts.sections.get(&lining).is_some_and(|of| of.yields) {
         note.push_str(&say!(language, "; a cross-check, since this lining can crack"));
     }

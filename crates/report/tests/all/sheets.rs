@@ -211,7 +211,11 @@ fn the_line_of_sections_has_the_factor_of_the_earthquake_and_the_steel() {
     let folder = results(temp.path());
     let mut summary = Summary::read(&folder.summary()).unwrap();
     summary.parts.sections.insert("hall.lining".into(), SectionStrength { steel: 4.35e8, ..judged(0.876) });
-    let input = tremolite_results::Input { name: "case".into(), hash: "0123456789abcdef".into(), ..Default::default() };
+    let input = tremolite_results::Input {
+        name: "case".into(),
+        hash: "0123456789abcdef".into(),
+        ..Default::default()
+    };
     summary.case.inputs.push(input);
     summary.computed.run.started = "2026-11-26T01:54:06Z".into();
     summary.write(&folder.summary()).unwrap();

@@ -77,7 +77,10 @@ fn a_lining_that_cannot_crack_is_answered_by_its_yielding() {
     // A sound lining of concrete does not hide it.
     set(&folder, vec![finding("hall.lining", Severity::Undamaged, &[]), lining], true);
     let (class, text) = answer(&folder, Language::English);
-    assert!(class == "warn" && text.contains("has not cracked, but it has yielded. adit.shotcrete"), "{text}");
+    assert!(
+        class == "warn" && text.contains("has not cracked, but it has yielded. adit.shotcrete"),
+        "{text}"
+    );
     assert!(answer(&folder, Language::Chinese).1.contains("未开裂，但已屈服。adit.shotcrete"));
 }
 

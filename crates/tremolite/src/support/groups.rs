@@ -247,7 +247,11 @@ fn text(group: &BoltSummary, of: (Option<&str>, bool)) -> Said {
         text.push(match group.gone {
             0 => said!("Excavations cut {cut}.", cut = cut),
             gone => {
-                said!("Excavations cut {cut} and removed {gone} of these.", cut = cut, gone = gone.to_string())
+                said!(
+                    "Excavations cut {cut} and removed {gone} of these.",
+                    cut = cut,
+                    gone = gone.to_string()
+                )
             }
         });
     }
