@@ -62,7 +62,7 @@ fn sections(source: &Source, of: &SectionStrength) -> String {
         None if of.reinforced == 0 => say!(language, "no bars"),
         None => say!(language, "with bars"),
     });
-    if of.steel.is_finite() && of.reinforced > 0 {
+    if of.steel > 0.0 && of.reinforced > 0 {
         parts.push(format!("f_yk {}", trimmed(&quantity("Pa", of.steel))));
     }
     parts.join(&say!(language, ", "))
