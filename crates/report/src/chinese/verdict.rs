@@ -102,6 +102,10 @@ pub const TEXTS: Texts = &[
         "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
         "{name}：剪切屈服体积占 {shear}，受拉屈服体积占 {tension}。",
     ),
+    (
+        "{name}: yielded in shear in {volume}, {shear} of its volume.",
+        "{name}：剪切屈服体积 {volume}，占 {shear}。",
+    ),
     ("{name}: yielded in shear in {shear} of its volume.", "{name}：剪切屈服体积占 {shear}。"),
     ("{name}: yielded in tension in {tension} of its volume.", "{name}：受拉屈服体积占 {tension}。"),
     ("{first} {second}", "{first}{second}"),

@@ -169,6 +169,15 @@ pub fn yielded(language: Language, facts: &Summary, finding: &Finding) -> String
     match finding.numbers.get("share_yielded_in_shear") {
         Some(share) if *share < SMALL && volume > 0.0 => {
             let volume = format!("{}\u{a0}m³", figures(volume, 3));
+            if finding.numbers.get("share_yielded_in_tension").copied().unwrap_or(0.0) == 0.0 {
+                return say!(
+                    language,
+                    "{name}: yielded in shear in {volume}, {shear} of its volume.",
+                    name = short(&finding.group, NAME),
+                    volume = volume,
+                    shear = percent(*share)
+                );
+            }
             say!(language, "{first} In shear that is {volume}.", first = text, volume = volume)
         }
         _ => text,
