@@ -215,11 +215,15 @@ fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
 /// By how much the size differs from the first value's, in percent; a dash where that is nothing to compare with, and arrows
 /// where the sign is another.
 fn difference(first: f64, value: f64, small: f64) -> String {
+    // Of an infinite one there is no share.
+    if first.is_infinite() {
+        return "–".into();
+    }
     // The same to what sums in another order leave.
     if (value - first).abs() <= 1e-12 * first.abs() {
         return "=".into();
     }
-    if first.abs() <= small || first == 0.0 || first.is_infinite() {
+    if first.abs() <= small || first == 0.0 {
         return "–".into();
     }
     let percent = 100.0 * (value.abs() - first.abs()) / first.abs();

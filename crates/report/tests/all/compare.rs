@@ -134,6 +134,9 @@ fn an_infinite_utilisation_is_told_and_is_no_dash() {
         root
     });
     let page = page(&all, temp.path());
-    assert_eq!(row(&page, "Utilisation of sections", "hall.lining: thrust and moment"), ["∞", "0.750 | –"]);
-    assert_eq!(row(&page, "Utilisation of sections", "hall.lining: shear"), ["0.432", "0.432 | ="]);
+    assert_eq!(
+        row(&page, "Utilisation of sections", "hall.<wbr>lining: thrust and moment"),
+        ["∞", "0.750 | –"]
+    );
+    assert_eq!(row(&page, "Utilisation of sections", "hall.<wbr>lining: shear"), ["0.432", "0.432 | ="]);
 }
