@@ -141,11 +141,7 @@ fn of_interfaces(source: &Source, table: &Table) -> Option<String> {
         text = join(language, &text, &more);
     }
     if let Some(created) = last("created_by_interface") {
-        let more = say!(
-            language,
-            "Laws of interfaces have given out {created} that nobody put in.",
-            created = created
-        );
+        let more = say!(language, "Interface laws have created {created}.", created = created);
         text = join(language, &text, &more);
     }
     Some(text)

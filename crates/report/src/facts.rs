@@ -121,10 +121,13 @@ fn check(language: Language, line: &TrustLine) -> Check {
         let value = say!(language, "not applicable");
         return Check { name, value, limit: String::new(), class: "none", mark: "–".into(), note };
     }
+    // What must be none at all is counted.
+    let counted = line.unit.is_empty() && line.limit == 0.0 && line.value.fract() == 0.0 && line.value < 1e6;
+    let number = |x: f64| if counted { format!("{x:.0}") } else { quantity(&line.unit, x) };
     let relation = if line.bound == Bound::AtMost { "≤" } else { "≥" };
     Check {
         name,
-        value: quantity(&line.unit, line.value),
+        value: number(line.value),
         limit: format!("{relation}\u{a0}{}", trimmed(&quantity(&line.unit, line.limit))),
         class: if line.pass { "pass" } else { "fail" },
         mark: if line.pass { say!(language, "pass") } else { say!(language, "warn") },

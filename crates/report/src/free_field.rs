@@ -1,4 +1,4 @@
-//! What came in and what the free field made of it: the wave that was asked for, each column at its surface and base by theory
+//! Incident motion and free field: the wave that was asked for, each column at its surface and base by theory
 //! and as it moved, and the model at its corner farthest from its column.
 
 mod at_corners;
@@ -30,7 +30,7 @@ const SCATTERED: f64 = 0.01;
 /// The section of the page; nothing where the run wrote no free_field.csv.
 pub fn section(source: &Source) -> Option<Section> {
     let language = source.language;
-    let heading = say!(language, "What came in and what the free field made of it");
+    let heading = say!(language, "Incident motion and free field");
     let found = match source.free_field.as_ref()? {
         Ok(found) => found,
         Err(why) => return Some(Section::left_out(&heading, why)),

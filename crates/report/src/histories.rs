@@ -109,7 +109,7 @@ impl<'a> Recorded<'a> {
         let language = self.source.language;
         let caption = say!(
             language,
-            "Far more than the rock's at one monitor alone is a loose piece that rings, or a crack that closes."
+            "A monitor that alone shows far more than the rock is on a loose piece that rings, or beside a crack that closes."
         );
         let caption = with_steps(self.source, caption, &["ax", "ay", "az"], Kind::Acceleration);
         let (heading, panels) =

@@ -39,6 +39,13 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
          going round by the wall of greater x over the crown, pushes towards the intrados. The table has the extremes of all stations of a lining, with time and place (x, y, z in m). \
          Look where the moment is large while the thrust is small or pulls: there the lining cracks first."
     );
+    if !facts.computed.water.is_empty() {
+        text.push_str(&say!(
+            language,
+            " They are of total stress. In a lining with pores the effective thrust is more tensile, by the pore pressure \
+             times the thickness."
+        ));
+    }
     text.push_str(&if shaken {
         say!(
             language,

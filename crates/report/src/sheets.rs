@@ -109,7 +109,7 @@ pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets
             _ => String::new(),
         },
         warns,
-        method: method(language, summary),
+        method: method(source, summary),
     }
 }
 
@@ -120,12 +120,20 @@ fn dated(language: Language, summary: &Summary) -> String {
         false => {
             // To the minute: 2026-11-26T01:54:06Z.
             let started: String = run.started.chars().take(16).collect();
-            say!(
+            let dated = say!(
                 language,
                 "Run of {started} UTC, {program}.",
                 started = started.replace('T', " "),
                 program = run.program
-            )
+            );
+            // The case by the beginning of its hash: enough to tell which file was run.
+            let case = summary.case.inputs.iter().find(|input| input.name == "case");
+            match case.map(|input| input.hash.chars().take(12).collect::<String>()) {
+                Some(hash) if !hash.is_empty() => {
+                    say!(language, "{run} Case {hash}.", run = dated, hash = hash)
+                }
+                _ => dated,
+            }
         }
     }
 }
@@ -171,7 +179,8 @@ fn figures(sections: &[Placed]) -> Vec<SheetFigure> {
 }
 
 /// What the method leaves out, for whoever signs.
-fn method(language: Language, summary: &Summary) -> Vec<String> {
+fn method(source: &Source, summary: &Summary) -> Vec<String> {
+    let language = source.language;
     let mut all = vec![
         match summary.computed.water.is_empty() {
             true => {
@@ -188,7 +197,7 @@ fn method(language: Language, summary: &Summary) -> Vec<String> {
         say!(language, "Plane waves come in from below; the ground beside the model is that of its sides."),
         say!(
             language,
-            "The width of a single crack depends on the mesh; pieces that come loose are not followed."
+            "The width of a single crack depends on the mesh, and is an upper bound where cracks turn parallel to a thin lining; pieces that come loose are not followed."
         ),
     ];
     if summary.parts.sections.is_empty() {
@@ -200,6 +209,12 @@ fn method(language: Language, summary: &Summary) -> Vec<String> {
         all.push(say!(
             language,
             "Utilisations are those of sections across the cavern's axis; slenderness, detailing and anchorage are not checked."
+        ));
+    }
+    if !summary.computed.water.is_empty() && source.sections.is_some() {
+        all.push(say!(
+            language,
+            "Section forces are of total stress; in a lining with pores the effective thrust is more tensile."
         ));
     }
     all

@@ -142,21 +142,20 @@ fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> 
             "bad",
             say!(
                 language,
-                "It is damaged: cracks run through its thickness, and pieces have come loose. Whether they fall, this model does \
-                 not follow."
+                "It is damaged: cracks run through its thickness, and pieces have come loose. This model cannot say whether they fall."
             ),
         ),
         (Status::Done, Some(Severity::Through), _) => {
             ("bad", say!(language, "It is damaged: cracks run through its thickness."))
         }
         (Status::Done, Some(Severity::Damaged), _) => {
-            ("warn", say!(language, "It is cracked, but nowhere through its thickness."))
+            ("warn", say!(language, "It is cracked, but no crack runs through its thickness."))
         }
         (Status::Done, Some(Severity::Undamaged), Some(yielded)) => {
-            ("warn", say!(language, "It is nowhere cracked, but has yielded. {yielded}", yielded = yielded))
+            ("warn", say!(language, "It has not cracked, but it has yielded. {yielded}", yielded = yielded))
         }
         (Status::Done, Some(Severity::Undamaged), _) if summary.warnings() > 0 || summary.judged() == 0 => {
-            ("warn", say!(language, "It is undamaged as computed, but some checks fail."))
+            ("warn", say!(language, "The computation shows no damage, but some checks warn."))
         }
         (Status::Done, Some(Severity::Undamaged), _) if source.still().is_some() => {
             ("plain", say!(language, "It is undamaged; no earthquake has come."))
@@ -204,21 +203,21 @@ fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> Str
     match names.len() {
         0 | 1 => say!(
             language,
-            "The run is done; {passed} of {judged} checks pass. Look at the other first: {check}.",
+            "The run is done; {passed} of {judged} checks pass. Read the one that warns first: {check}.",
             passed = passed,
             judged = judged,
             check = told
         ),
         all if all <= WARNINGS => say!(
             language,
-            "The run is done; {passed} of {judged} checks pass. Look at the others first: {checks}.",
+            "The run is done; {passed} of {judged} checks pass. Read those that warn first: {checks}.",
             passed = passed,
             judged = judged,
             checks = told
         ),
         all => say!(
             language,
-            "The run is done; {passed} of {judged} checks pass. Look first at: {checks}; and {more} more.",
+            "The run is done; {passed} of {judged} checks pass. Read those that warn first: {checks}, and {more} more.",
             passed = passed,
             judged = judged,
             checks = told,
@@ -359,7 +358,7 @@ fn relative(source: &Source, facts: &Summary) -> Option<VerdictLine> {
     if !loose.is_empty() {
         text = say!(
             source.language,
-            "{first} Not looked at: {pairs}, with a monitor on a piece that came loose.",
+            "{first} Not counted: {pairs}, of which a monitor is on a piece that came loose.",
             first = text,
             pairs = loose.join(", ")
         );

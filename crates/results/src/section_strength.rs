@@ -17,6 +17,9 @@ pub struct SectionStrength {
     pub compression: f64,
     #[serde(with = "number", default = "number::absent")]
     pub tension: f64,
+    /// Stress at which the bars yield (Pa), not divided by γ_s, the largest of all; no number without bars.
+    #[serde(with = "number", default = "number::absent")]
+    pub steel: f64,
     /// γ_c, γ_s, α_cc, α_ct, γ_d and the factor of strength while the ground shakes.
     pub factors: Factors,
     /// Stations in all, and those with bars.

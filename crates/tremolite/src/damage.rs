@@ -187,7 +187,7 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
     let mut text = Vec::new();
     if let Some(place) = cracks.through_at {
         text.push(said!(
-            "Element {element} at {place} opened widest of these.",
+            "The widest of these cracks is in element {element} at {place}.",
             element = place.element.to_string(),
             place = point(place.at),
         ));
@@ -197,8 +197,7 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
     let Some(widest) = cracks.widest else { return text };
     text.push(match cracks.is_loose() {
         true => said!(
-            "Cracks open beyond {limit} mm, widest at {time} s in element {element} at {place}: pieces have come loose, which this \
-             model does not follow.",
+            "Cracks open beyond {limit} mm, widest at {time} s in element {element} at {place}: pieces have come loose, and this model does not follow them.",
             limit = format!("{:.0}", 1e3 * Cracks::LOOSE),
             time = format!("{:.2}", widest.time),
             element = widest.element.to_string(),

@@ -84,15 +84,13 @@ fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
 fn snapped_back(stage: &str, lost: f64, held: f64) -> Vec<Said> {
     let joule = |x: f64| format!("{x:.2e}");
     let why = said!(
-        "In the stage '{stage}' the specimen snapped back: {lost} J of the {held} J that it held were let go at once, since it held \
-         more than its cracks take, or than a bond that breaks, which takes nothing, and no displacement in between is at rest.",
+        "In the stage '{stage}' the specimen snapped back: in one step it released {lost} J of the {held} J that it stored. It stored more than its cracks dissipate (a bond that breaks dissipates nothing), so there is no equilibrium in between.",
         stage = stage,
         lost = joule(lost),
         held = joule(held),
     );
     let remedy = said!(
-        "The rows before it stand. Move what is nearer to the crack, as a test that is driven by the opening of the crack, take a \
-         shorter or less slender specimen, or more and smaller `steps` if the force had not reached its peak."
+        "The rows before it are valid. Prescribe the displacement nearer to the crack, as in a test controlled by the opening of the crack; take a shorter or less slender specimen; or give more and smaller `steps` if the force had not reached its peak."
     );
     vec![why, remedy]
 }
@@ -125,12 +123,10 @@ fn restless(stage: &str, number: usize, relaxed: &Relaxed, place: &Said) -> Vec<
     );
     let remedy = match relaxed {
         Relaxed::Torn(..) => said!(
-            "What was left without support there comes down: support it, take less out at once, or let it go in smaller shares \
-             (`release`)."
+            "The ground there has lost its support and falls: support it, excavate less in one stage, or release it in smaller shares (`release`)."
         ),
         _ => said!(
-            "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it); what was left without support comes \
-             down: support it, take less out at once, or let it go in smaller shares (`release`)."
+            "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it). Ground that has lost its support falls: support it, excavate less in one stage, or release it in smaller shares (`release`)."
         ),
     };
     vec![why, place, remedy]
@@ -169,12 +165,12 @@ fn stresses(stress: &IndexMap<String, GroupStress>, alone: bool) -> Option<Said>
     let peaks = (!peaks.is_empty()).then(|| listed(peaks))?;
     Some(match alone {
         true => said!(
-            "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (change by the \
+            "Largest principal stress (at the fibre of intact elements with several points, otherwise at points): {peaks} (change by the \
              earthquake alone).",
             peaks = peaks,
         ),
         false => said!(
-            "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (in all, initial \
+            "Largest principal stress (at the fibre of intact elements with several points, otherwise at points): {peaks} (in all, initial \
              stress included).",
             peaks = peaks,
         ),

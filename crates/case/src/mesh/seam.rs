@@ -117,7 +117,7 @@ pub(crate) fn check(
         if !left.is_empty() {
             warnings.push(Diagnostic::at(
                 &name,
-                format!("the interface that stands for the seam knows nothing of {} of `{}`", left.join(" and "), name.value),
+                format!("the interface that stands for the seam cannot use {} of `{}`", left.join(" and "), name.value),
                 "leave them out, or mesh the seam between two planes with elements of half its thickness or less",
             ));
         }

@@ -266,11 +266,6 @@ fn an_outcrop_that_is_scaled_by_about_a_half_is_warned_of() {
         std::fs::write(&case, changed).unwrap();
         let check = tremolite(folder.path(), &["check", "study/case.toml"]);
         assert!(check.status.success(), "{}", errors(&check));
-        assert_eq!(
-            errors(&check).contains("comes in anyway"),
-            warned,
-            "{kind} {process}: {}",
-            errors(&check)
-        );
+        assert_eq!(errors(&check).contains("enters anyway"), warned, "{kind} {process}: {}", errors(&check));
     }
 }

@@ -207,7 +207,7 @@ fn seams_are_said_and_what_is_wrong_with_them_is_refused_at_its_line() {
         (
             "cohesion = 2",
             "dilation_angle = \"5 deg\"\ncohesion = 2",
-            "knows nothing of dilation_angle of `clay`",
+            "cannot use dilation_angle of `clay`",
             "or mesh the seam",
         ),
     ] {

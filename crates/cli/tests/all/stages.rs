@@ -323,7 +323,7 @@ fn what_is_cut_free_is_warned_of_and_comes_down_with_its_stage_and_place_named()
     assert_eq!(code(&fallen), 1, "{}", errors(&fallen));
     let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
     assert_eq!(summary.conclusion.status, Status::Failed);
-    for words in ["The stage 'cut' did not come to rest", "of 'core' at (", "comes down"] {
+    for words in ["The stage 'cut' did not come to rest", "of 'core' at (", "lost its support"] {
         assert!(summary.conclusion.verdict.contains(words), "'{words}': {}", summary.conclusion.verdict);
     }
     assert_eq!(summary.computed.stages.len(), 1);

@@ -19,6 +19,15 @@ pub fn hardest(source: &Source, facts: &Summary) -> Option<(String, String)> {
     let (name, group) = there.max_by(|a, b| more(a.1, b.1))?;
     let bolt = group.largest.bolt;
     let which = match group.yield_force.is_finite() {
+        // Of reinforcement each row of elements has a chain of bars.
+        true if group.bars => say!(
+            language,
+            "{share} of yield, in the reinforcement {group}, row {row}",
+            share = figures(group.force_over_yield, 2),
+            group = name,
+            row = bolt
+        ),
+        false if group.bars => say!(language, "reinforcement {group}, row {row}", group = name, row = bolt),
         true => say!(
             language,
             "{share} of yield, in {group}, bolt {bolt}",

@@ -50,6 +50,11 @@ pub const TEXTS: Texts = &[
         "各组中当时最接近屈服的锚杆，其下为最大轴力；不会屈服的组只列轴力。某组若在施作后的每一阶段都继续受力，说\
          明其所锚固的围岩仍在移动。",
     ),
+    (
+        "{share} of yield, in the reinforcement {group}, row {row}",
+        "为屈服力的 {share}，{group} 的第 {row} 排钢筋",
+    ),
+    ("reinforcement {group}, row {row}", "{group} 的第 {row} 排钢筋"),
     ("{group}, bolt {bolt}", "{group}，{bolt} 号锚杆"),
     ("{share} of yield, in {group}, bolt {bolt}", "为屈服力的 {share}，{group}，{bolt} 号锚杆"),
     ("{which}; {yielded} of {all} bolts yielded", "{which}；{all} 根中有 {yielded} 根屈服"),

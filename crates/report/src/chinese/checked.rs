@@ -16,21 +16,21 @@ pub const TEXTS: Texts = &[
         "洞室穿过了所有代表延伸地层的边界",
     ),
     (
-        "largest change by the stages beside {side}, over the mean along the openings before: what does not give there sends it back, and stresses around the opening are wrong by half of that and more; {distance} m from an opening of {extent} m it is {estimate} % by 1.5 (R/(R + d))²",
+        "largest change that the stages cause beside {side}, over the mean stress along the openings before: a boundary that cannot move holds the ground back, and stresses around the opening are wrong by half of this and more; {distance} m from an opening of {extent} m it is {estimate} % by 1.5 (R/(R + d))²",
         "各施工阶段在 {side} 旁引起的最大应力变化与开挖前洞室周边平均应力之比：该处不能变形，应力被反射回来，洞室周边应力的误差为其一半以上；距 {extent} m 的洞室 {distance} m 时按 1.5 (R/(R + d))² 为 {estimate} %",
     ),
     ("share of the motion after the end of the run", "计算结束之后尚未输入的运动所占比例"),
     (
-        "of ∫a² dt, behind {end} s of {whole} s: what comes then has shaken nothing, and the largest values may be still to come",
+        "of ∫a² dt, behind {end} s of {whole} s: the run ends before this motion comes, and the largest values may come with it",
         "按 ∫a² dt 计，全长 {whole} s 中 {end} s 之后的部分：其后的运动未曾作用，最大值可能尚未出现",
     ),
     ("damping ratio by mass at the motion's central frequency", "质量比例阻尼在输入运动中心频率处的阻尼比"),
     ("no damping is proportional to mass", "没有质量比例阻尼"),
     (
-        "ω/(4πf) with {mass} 1/s and {frequency} Hz, below which half of the input's energy lies: it damps the motion of the ground as a whole, the more the slower it is; damping over a band takes what rock takes",
+        "ω/(4πf) with {mass} 1/s and {frequency} Hz, below which half of the input's energy lies: it damps the motion of the ground as a whole, slow motion most; damping over a band takes the same share at every frequency of the band",
         "ω/(4πf)，其中 ω = {mass} 1/s，f = {frequency} Hz（输入能量的一半在此频率以下）：它阻尼地层的整体运动，运动越慢阻尼越大；频带阻尼才与岩体相符",
     ),
-    ("largest part of a peak missed between rows of the histories", "时程各行遗漏的峰值的最大比例"),
+    ("largest share of a peak that the rows of the histories miss", "时程各行遗漏的峰值的最大比例"),
     ("all monitors that move are on broken elements", "没有不在断裂单元上且发生运动的监测点"),
     (
         "{history}: rows {interval} s apart show {rows} where a step has {steps}, in SI; largest stresses, section forces and crack widths are taken from rows as well: give a shorter `output.histories`",

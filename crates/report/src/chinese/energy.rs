@@ -42,7 +42,7 @@ pub const TEXTS: Texts = &[
         "结束时接触面储能 {held}；摩擦与粘结破坏耗能 {friction}。",
     ),
     ("Contact damping has taken {damping}.", "接触阻尼耗能 {damping}。"),
-    ("Laws of interfaces have given out {created} that nobody put in.", "接触面本构凭空产生 {created}。"),
+    ("Interface laws have created {created}.", "接触面本构凭空产生 {created}。"),
     (
         "At the end bolts hold {held}; their bonds have taken {friction}, their yield {plastic}.",
         "结束时锚杆储能 {held}；其粘结耗能 {friction}，屈服耗能 {plastic}。",

@@ -17,7 +17,7 @@ pub const TEXTS: Texts = &[
         "{monitor}，{time}，monitors.csv 同一行各分量合成",
     ),
     ("{pair} at {time}, its length", "{pair}，{time}，为矢量长度"),
-    ("{first}; without {names}, loose pieces", "{first}；不含 {names}（混凝土块已松动）"),
+    ("{first}; not counted, since loose: {names}", "{first}；不含 {names}（混凝土块已松动）"),
     ("Largest relative displacement", "最大相对位移"),
     ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),
     (
@@ -35,7 +35,7 @@ pub const TEXTS: Texts = &[
     ("Largest principal stress s1", "最大主应力 s1"),
     ("Smallest principal stress s3", "最小主应力 s3"),
     (
-        "{group} at {time}; at the fibre of intact elements of several points, else at points",
+        "{group} at {time}; at the fibre of intact elements with several points, otherwise at points",
         "{group}，{time}；完好的多积分点单元取截面边缘处，其余取积分点",
     ),
     ("monitor {monitor} at {time}", "监测点 {monitor}，{time}"),

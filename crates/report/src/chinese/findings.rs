@@ -29,12 +29,12 @@ pub const TEXTS: Texts = &[
     ("{measure} in less than 0.1 % of its volume", "不足 0.1 % 的体积{measure}"),
     ("through the thickness at {through} of {places} places", "{places} 处中有 {through} 处贯穿厚度"),
     (
-        "Element {element} at {place} opened widest of these.",
+        "The widest of these cracks is in element {element} at {place}.",
         "其中张开最大的是单元 {element}，位于 {place}。",
     ),
     ("No crack runs through the thickness.", "没有裂缝贯穿厚度。"),
     (
-        "Cracks open beyond {limit} mm, widest at {time} s in element {element} at {place}: pieces have come loose, which this model does not follow.",
+        "Cracks open beyond {limit} mm, widest at {time} s in element {element} at {place}: pieces have come loose, and this model does not follow them.",
         "裂缝宽度超过 {limit} mm，最宽处出现在 {time} s，单元 {element}，位于 {place}：已有块体松脱，本模型不能模拟其后的运动。",
     ),
     (
@@ -64,8 +64,8 @@ pub const TEXTS: Texts = &[
         "最大滑移量 {slip}，位于 {slip_at}；最大张开量 {gap}，位于 {gap_at}。",
     ),
     // Bolts.
-    ("nothing is left of its one bolt, which excavations took", "仅有的一根锚杆已被开挖挖除，无剩余"),
-    ("nothing is left of its {bolts} bolts, which excavations took", "{bolts} 根锚杆均已被开挖挖除，无剩余"),
+    ("excavations removed its one bolt", "仅有的一根锚杆已被开挖挖除，无剩余"),
+    ("excavations removed all of its {bolts} bolts", "{bolts} 根锚杆均已被开挖挖除，无剩余"),
     ("its one bolt did not yield", "仅有的一根锚杆未屈服"),
     ("none of {bolts} bolts yielded", "{bolts} 根锚杆均未屈服"),
     ("{yielded} of {bolts} bolts yielded, none broke", "{bolts} 根锚杆中 {yielded} 根屈服，无断裂"),
@@ -83,7 +83,9 @@ pub const TEXTS: Texts = &[
     ("{force}", "{force}"),
     ("The bond of {slid} slid; largest slip {slip}.", "{slid} 根的粘结发生滑移；最大滑移量 {slip}。"),
     ("Excavations cut {cut}.", "开挖切断 {cut} 根。"),
-    ("Excavations cut {cut} and left nothing of {gone}.", "开挖切断 {cut} 根，其中 {gone} 根完全挖除。"),
+    ("Excavations cut {cut} and removed {gone} of these.", "开挖切断 {cut} 根，其中 {gone} 根完全挖除。"),
+    ("row {row} of the bars", "第 {row} 排钢筋"),
+    ("row {row} of the bars '{group}'", "“{group}”的第 {row} 排钢筋"),
     ("bolt {bolt}", "{bolt} 号锚杆"),
     ("bolt {bolt} of '{group}'", "“{group}”的 {bolt} 号锚杆"),
     ("Largest force {force} in {bolt} at {place}.", "最大轴力 {force}，{bolt}，位于 {place}。"),

@@ -3,7 +3,7 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
-    ("What came in and what the free field made of it", "输入波与自由场响应"),
+    ("Incident motion and free field", "输入波与自由场响应"),
     ("free_field.csv has no columns of velocities.", "free_field.csv 中没有速度列。"),
     ("free_field.csv holds no motion.", "free_field.csv 中没有运动。"),
     (" Not drawn: {axis}, nowhere more than {size}.", "未画 {axis} 向：处处不超过 {size}。"),

@@ -17,12 +17,12 @@ pub const TEXTS: Texts = &[
     ("Histories of the monitors", "监测点时程"),
     ("Displacement", "位移"),
     (
-        "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride with the rock? And do they come back: what is left at the end has not.",
+        "Relative to the state before the earthquake. Look whether all monitors move in step, as those of a cavern do that moves with the rock, and whether they return: what is left at the end is permanent.",
         "相对于震前状态。请看各监测点是否同步运动（洞室随围岩整体运动），以及是否回到原位：结束时剩余的即为残余位移。",
     ),
     ("Displacement less the mean of the monitors", "位移与监测点平均值之差"),
     (
-        "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is taken away. Look for monitors that leave the others for good.",
+        "Displacement of each monitor less the mean of all in the same row: motion that all share causes no strain. Look for monitors that do not return to the others.",
         "各监测点位移减去每一时刻全部监测点的平均值：共同的运动不产生应变，已扣除。请看是否有监测点最终偏离其余各点。",
     ),
     (
@@ -62,7 +62,7 @@ pub const TEXTS: Texts = &[
     ("Principal stress", "主应力"),
     ("Velocity", "速度"),
     (
-        "Far more than the rock's at one monitor alone is a loose piece that rings, or a crack that closes.",
+        "A monitor that alone shows far more than the rock is on a loose piece that rings, or beside a crack that closes.",
         "若仅某一监测点远大于围岩，则为松动块体振荡或裂缝闭合所致。",
     ),
     ("Acceleration", "加速度"),
@@ -73,7 +73,7 @@ pub const TEXTS: Texts = &[
     ("Damage over time", "损伤发展过程"),
     ("Nothing was damaged.", "没有损伤。"),
     (
-        "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the widest crack so far. Does it grow in one blow, or with every cycle? What still grows at the end has not come to rest.",
+        "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the widest crack so far. Look whether it grows at once or with every cycle; what still grows at the end of the run may go on.",
         "各组中开裂、压碎（损伤大于 0.5）或屈服的体积比例，以及至此的最大裂缝宽度。请看损伤是一次形成还是随每个循环增长；结束时仍在增长的尚未稳定。",
     ),
     ("% of volume", "% 体积"),

@@ -88,7 +88,7 @@ pub const TEXTS: Texts = &[
         "理论幅值随频率的变化：竖向传播的波通过线性层状地层，计入阻尼（Kramer 1996，第 7.2.1 节）。记录除以它即为入射波。\
          其值小处，入射波几乎不引起该处运动，由记录反演时记录及其误差均被相应放大。数值见 transfer.csv。",
     ),
-    ("The record, and what came out where it was taken", "记录与其位置处的计算结果"),
+    ("The record, and the computed motion where it was taken", "记录与其位置处的计算结果"),
     ("velocity along {axis}", "{axis} 向速度"),
     ("record", "记录"),
     ("free field where it was taken", "记录位置处的自由场"),
@@ -102,7 +102,7 @@ pub const TEXTS: Texts = &[
         "两者最多相差记录峰值的 {share}（见检查项“记录在其观测位置的再现”）。",
     ),
     (
-        " What differs is the mesh's, of rock that yields, or of what was left out above the record's band.",
+        " Differences come from the mesh, from rock that yields, or from what was left out above the record's band.",
         "差别来自网格、围岩屈服，或记录频带以上被舍去的成分。",
     ),
 ];

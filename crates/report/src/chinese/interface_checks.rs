@@ -17,7 +17,7 @@ pub const TEXTS: Texts = &[
     ("energy error of impacts over energy supplied", "碰撞产生的能量与输入能量之比"),
     ("time step × frequency of the stiffest contact pair", "时间步长与最刚节点对频率之积"),
     (
-        "acceleration at the interface above the input's band over that in the band",
+        "ringing of the interface: acceleration above the input's band over that within it",
         "接触面附近高于输入频带的运动",
     ),
     (
@@ -25,13 +25,13 @@ pub const TEXTS: Texts = &[
         "在完好单元之间且远离碰撞之处，滑移仅占面积和时间的 {share} %",
     ),
     (
-        "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, {below} m/s²; root mean squares over {share} % of area and time: where it slid between sound elements, away from what was open. What slides feeds such vibrations, and slides further by them: give the interface more `viscosity`",
+        "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, {below} m/s²; root mean squares over {share} % of area and time: where it slid between sound elements, away from what was open. Sliding feeds such vibrations, and they make it slide further: give the interface more `viscosity`",
         "其节点高于 {corner} Hz（输入最高频率的两倍）的加速度 {above} m/s² 与低于该频率的加速度 {below} m/s² 之比；为面积和时间的 {share} % 上的均方根值，即在完好单元之间滑移且远离张开处的部分。滑移会激发这种振动，并因此滑得更远：请为接触面给出更大的 `viscosity`",
     ),
     ("compliance of the interface over that of the adjacent elements", "接触面柔度与相邻单元柔度之比"),
     ("{check}, {interface}", "{check}，{interface}"),
     (
-        "{names}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and slide earlier and further than in place; one without a bond is open from the first motion on",
+        "{names}: no initial stress presses the two sides together, so they part and slide earlier and further than they would in the ground; an interface without a bond opens with the first motion",
         "{names}：地震前没有压力使两侧贴紧，也没有自重使其重新闭合，因此与实际相比张开和滑移更早、更大；无粘结的接触面从一开始运动即张开",
     ),
     ("nothing slid or opened", "既无滑移也无张开"),
@@ -45,7 +45,7 @@ pub const TEXTS: Texts = &[
     ),
     ("the law '{law}' has no largest closure", "本构“{law}”没有最大闭合量"),
     (
-        "of all pairs and steps, as the law closes at the largest pressure, over `max_closure`: the joint is nearly shut and as stiff as it can be; give a larger one, or a stiffer joint",
+        "of all pairs and steps, by the law at the largest pressure, over `max_closure`: the joint is nearly closed and as stiff as it gets; give a larger one, or a stiffer joint",
         "所有节点对和时间步中，按本构在最大压力下的闭合量与 `max_closure` 之比：接触面接近完全闭合，刚度已达极限；请给出更大的值，或采用更大的接触刚度",
     ),
     (
@@ -53,7 +53,7 @@ pub const TEXTS: Texts = &[
         "{pair} 处各面的最短边；节点对的法向和配对不变，故滑移量须远小于单元尺寸",
     ),
     (
-        "shortest edge of the faces at {pair}; what is so far apart has come loose, and closes on faces that are not its own",
+        "shortest edge of the faces at {pair}; sides so far apart have come loose, and where they close they meet other faces than the model pairs",
         "{pair} 处各面的最短边；张开如此之大说明已经松脱，重新闭合时会落在并非原配的面上",
     ),
     ("the law is linear", "本构始终为线性"),
@@ -62,7 +62,7 @@ pub const TEXTS: Texts = &[
         "共 {pairs} 对；最大压力为 {pressure} MPa，自 {limit} MPa 起接触面保持常刚度，以免缩短步长；可给出更大的 `pressure_for_step`，代价是步长更短",
     ),
     (
-        "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a smaller `contact_limit` or a larger `contact_damping` lessens it",
+        "largest of all rows: energy that the explicit step creates or loses when pairs close and open; a smaller `contact_limit` or a larger `contact_damping` reduces it",
         "各数据行中的最大值；节点对闭合和张开时显式积分产生（或损失，同样计入）的能量；减小 `contact_limit` 或加大 `contact_damping` 可使其减小",
     ),
     ("there is no earthquake", "没有地震"),
@@ -81,11 +81,11 @@ pub const TEXTS: Texts = &[
     ("no bolts with a bond", "没有带粘结的锚杆"),
     ("bolt {bolt} of {group}", "{group} 的 {bolt} 号锚杆"),
     (
-        "of any step, over the smallest element that the bolt lies in: a bolt stays in the elements it was cut by and keeps its direction, so slip must stay small",
+        "of any step, over the smallest element that the bolt lies in: a bolt keeps its direction and stays in the elements that it first crossed, so slip must stay small",
         "所有时间步中的值，除以锚杆所在的最小单元的尺寸：锚杆始终位于当初穿过的单元内且方向不变，故滑移量须远小于单元尺寸",
     ),
     (
-        "what bonds carried beyond their strength, in any step since the bolt was placed, over the largest force of its group in any: beyond round-off there was no balance, as where a bolt is drawn out",
+        "force of bonds beyond their strength, in any step since the bolt was placed, over the largest force of its group: above round-off a bolt found no equilibrium, as one that is pulled out",
         "锚杆安装以来各时间步中粘结超出其强度所承担的力，除以该组各步的最大轴力：超出舍入误差即未达到平衡，例如锚杆被拔出时",
     ),
 ];

@@ -17,6 +17,7 @@ pub(super) const TEXTS: Texts = &[
         "{ratio} % over {low} to {high} Hz by three Maxwell bodies",
         "{low} 至 {high} Hz 频带内 {ratio} %，由三个 Maxwell 体实现",
     ),
+    ("E is that of slow loading", "E 对应缓慢加载"),
     ("E is meant at {frequency} Hz", "E 对应 {frequency} Hz"),
 ];
 

@@ -40,11 +40,11 @@ pub const TEXTS: Texts = &[
         "运动最大处为{place}，见 stages/{number}.vtu 中的 `motion_of_last_cycle`。",
     ),
     (
-        "What was left without support there comes down: support it, take less out at once, or let it go in smaller shares (`release`).",
+        "The ground there has lost its support and falls: support it, excavate less in one stage, or release it in smaller shares (`release`).",
         "该处失去支撑的部分正在塌落：请加以支护、减小一次开挖量，或减小每次释放的比例（`release`）。",
     ),
     (
-        "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it); what was left without support comes down: support it, take less out at once, or let it go in smaller shares (`release`).",
+        "Give more `max_cycles` if it was on its way to rest (relaxation.csv shows it). Ground that has lost its support falls: support it, excavate less in one stage, or release it in smaller shares (`release`).",
         "若正趋于静止（见 relaxation.csv），请加大 `max_cycles`；失去支撑的部分会塌落：请加以支护、减小一次开挖量，或减小每次释放的比例（`release`）。",
     ),
     ("{passed} of {judged} checks of the run pass.", "{judged} 项检查中 {passed} 项通过。"),
@@ -54,11 +54,11 @@ pub const TEXTS: Texts = &[
     ),
     ("{stress} MPa in {group} at {time} s", "{group} {stress} MPa（{time} s）"),
     (
-        "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (change by the earthquake alone).",
+        "Largest principal stress (at the fibre of intact elements with several points, otherwise at points): {peaks} (change by the earthquake alone).",
         "最大主应力（完好的多积分点单元取截面边缘处，其余取积分点）：{peaks}（仅地震引起的变化）。",
     ),
     (
-        "Largest principal stress, at the fibre of elements of several points that are intact, else at points: {peaks} (in all, initial stress included).",
+        "Largest principal stress (at the fibre of intact elements with several points, otherwise at points): {peaks} (in all, initial stress included).",
         "最大主应力（完好的多积分点单元取截面边缘处，其余取积分点）：{peaks}（总应力，含初始应力）。",
     ),
     // Places.
@@ -88,11 +88,11 @@ pub const TEXTS: Texts = &[
     ("bolts '{name}' placed", "安装锚杆“{name}”"),
     ("{name} moved to {way} = {to}", "将 {name} 移至 {way} = {to}"),
     (
-        "In the stage '{stage}' the specimen snapped back: {lost} J of the {held} J that it held were let go at once, since it held more than its cracks take, or than a bond that breaks, which takes nothing, and no displacement in between is at rest.",
+        "In the stage '{stage}' the specimen snapped back: in one step it released {lost} J of the {held} J that it stored. It stored more than its cracks dissipate (a bond that breaks dissipates nothing), so there is no equilibrium in between.",
         "在阶段“{stage}”中试件发生回跳：其储存的 {held} J 能量中有 {lost} J 被瞬间释放，因为它储存的能量多于裂缝所能耗散的（界面粘结断裂则不耗能），而中间的任何位移都不能平衡。",
     ),
     (
-        "The rows before it stand. Move what is nearer to the crack, as a test that is driven by the opening of the crack, take a shorter or less slender specimen, or more and smaller `steps` if the force had not reached its peak.",
+        "The rows before it are valid. Prescribe the displacement nearer to the crack, as in a test controlled by the opening of the crack; take a shorter or less slender specimen; or give more and smaller `steps` if the force had not reached its peak.",
         "此前各行有效。请移动更靠近裂缝的部位（如由裂缝张开控制的试验），或采用更短、更粗的试件；若力尚未达到峰值，可采用更多、更小的 `steps`。",
     ),
 ];

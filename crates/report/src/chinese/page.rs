@@ -16,7 +16,7 @@ pub const TEXTS: Texts = &[
         "{place}，{time}；单条裂缝的宽度取决于网格",
     ),
     (
-        "How many cracks share an even stretch, and so how wide each is, goes by the mesh: smaller elements make more of them, each less wide. What the cracks take together does not go by it.",
+        "The number of cracks that share a uniform strain, and so the width of each, depends on the mesh: smaller elements make more and narrower cracks. Their total opening does not depend on it.",
         "均匀受拉段由多少条裂缝分担、每条有多宽取决于网格：单元越小，裂缝越多、每条越窄；裂缝张开的总量则与网格无关。",
     ),
     ("Results", "计算结果"),
@@ -128,7 +128,7 @@ pub const TEXTS: Texts = &[
         "接触面监测点的压应力（压为正）与剪应力",
     ),
     (
-        "Principal stress of groups, tension positive; of elements of several points at the fibre while intact, else at points",
+        "Principal stress of groups, tension positive; at the fibre of intact elements with several points, otherwise at points",
         "各组主应力（拉为正）；多积分点单元未损伤时取截面边缘处，否则取积分点",
     ),
     ("The section and its monitors", "断面与监测点"),

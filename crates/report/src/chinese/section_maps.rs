@@ -17,7 +17,7 @@ pub const TEXTS: Texts = &[
     ),
     ("smallest principal stress s3, tension positive", "第三主应力 s3，拉为正"),
     (
-        "Look for the darkest corners, where pressure gathers, and for how far it reaches into pillars.",
+        "Look for the darkest places, where compression concentrates, and for how far they reach into pillars.",
         "应注意颜色最深的角部，即压应力集中处，以及其伸入岩柱的深度。",
     ),
     (
@@ -138,7 +138,7 @@ pub const TEXTS: Texts = &[
         "受拉损伤 D⁺ 与受剪损伤 D⁻（{when}；变量 d_tension、d_shear），各单元取其积分点的平均值，均为 0 完好至 1 完全破坏。",
     ),
     (
-        "Tension opens cracks, which may close again and then carry pressure; shear takes what carries pressure. Look for shear where a lining is thin or bears most, at the crown and the feet: a lining cracked in tension alone can still carry thrust, where it is sheared or crushed through it has its residual strength alone. Largest mean of an element: D⁺ {tension}, D⁻ {shear}.",
+        "Tension opens cracks, which may close again and then carry pressure; damage in shear lowers the strength in compression. Look for shear where a lining is thin or bears most, at the crown and the feet: a lining cracked in tension alone can still carry thrust, where it is sheared or crushed through it has its residual strength alone. Largest mean of an element: D⁺ {tension}, D⁻ {shear}.",
         "受拉产生裂缝，裂缝可重新闭合并传递压力；受剪则削弱承压能力。应注意衬砌较薄或受力最大处（拱顶与墙脚）的受剪损伤：仅受拉开裂的衬砌仍能承受轴力，剪断或压碎处只剩残余强度。单元平均值的最大值：D⁺ {tension}，D⁻ {shear}。",
     ),
     ("damage of the linings by kind", "衬砌损伤（按类型）"),
@@ -211,7 +211,7 @@ pub const TEXTS: Texts = &[
         "对照图为{when}：剪切屈服 {shear}\u{a0}m²，受拉屈服 {tension}\u{a0}m²。仅在右图着色者在地震中屈服。",
     ),
     (
-        "A zone of one element's depth is no more than the mesh can say; zones that join between caverns, or reach deep into a pillar, are what to look for.",
+        "A zone one element deep may be an effect of the mesh. Look for zones that join between caverns or reach deep into a pillar.",
         "屈服区仅一个单元厚时，其范围已低于网格分辨率，不宜作定量判断；应注意洞室之间连通或深入岩柱的塑性区。",
     ),
     ("plastic zones", "塑性区"),
@@ -234,7 +234,7 @@ pub const TEXTS: Texts = &[
         "按真实长度展开，自底部剖开，从围岩一侧观察。",
     ),
     ("At true lengths, seen from the second side.", "按真实长度，从第二侧观察。"),
-    ("Left and right are those of who looks along +{axis}.", "左右以沿 +{axis} 方向观察为准。"),
+    ("Left and right are as seen along +{axis}.", "左右以沿 +{axis} 方向观察为准。"),
     ("Parts that would lie on others are moved apart.", "会相互重叠的部分已移开。"),
     ("There is no fields.pvd in the result folder.", "结果文件夹中没有 fields.pvd。"),
     ("fields.pvd lists no field file yet.", "fields.pvd 尚未列出任何场文件。"),

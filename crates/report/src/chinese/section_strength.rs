@@ -15,6 +15,10 @@ pub const TEXTS: Texts = &[
         "Design strength by {code}, bars (inside + outside) included; each point is N and M of one instant. Inside its line a section bears them.",
         "按 {code} 的设计承载力，计入钢筋；每点为同一时刻的 N 与 M。点在本断面的包络线以内时，断面可以承受。",
     ),
+    (
+        " The lines have the concrete's strength of the earthquake, {dynamic} times the static one by which the points after the stages are judged.",
+        "包络线取地震中的混凝土强度，为静力强度的 {dynamic} 倍；施工完成后的各点按静力强度判断。",
+    ),
     ("crack width left", "残余裂缝宽度"),
     ("crack width left, by code", "残余裂缝宽度（按规范）"),
     ("({x}, {y}, {z}) at the end", "({x}, {y}, {z})，结束时"),
@@ -57,7 +61,7 @@ pub const TEXTS: Texts = &[
         "按 sections.csv 各行统计：施工完成时，{elastic} 个断面在实线以外，{ultimate} 个在两线以外。",
     ),
     (
-        " At one of those extremes, counted over the same file: {elastic} and {ultimate}. Cracks may be at more places: N and M hold nothing of stresses along the cavern, and a section that has cracked no longer carries what cracked it.",
+        " At one of those extremes, counted over the same file: {elastic} and {ultimate}. There may be more cracks: N and M contain no stress along the cavern, and a cracked section no longer carries the forces that cracked it.",
         "在上述极值时刻（同一文件统计）分别为 {elastic} 个和 {ultimate} 个。开裂位置可能更多：N、M 不反映沿洞轴方向的应力，且已开裂的截面不再承受致裂时的内力。",
     ),
 ];

@@ -4,6 +4,7 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     ("Sections", "断面承载力"),
+    ("concrete × {dynamic} in the earthquake", "地震中混凝土强度 × {dynamic}"),
     ("bars {inner} inside, {outer} mm²/m outside", "钢筋内侧 {inner}、外侧 {outer} mm²/m"),
     ("no bars", "无筋"),
     ("with bars", "配筋"),
@@ -37,9 +38,22 @@ pub const TEXTS: Texts = &[
         "沿衬砌（m），自下部经 x 较大一侧边墙至顶拱",
     ),
     (
-        "Of the section drawn below. Values beyond {most} are drawn there.",
-        "所取断面同下图。大于 {most} 的值画在该处。",
+        " Values above {most}, infinite ones too, are drawn at {most}.",
+        "大于 {most} 的值（含无穷大）画在 {most} 处。",
     ),
+    ("Of the section drawn below.", "所取断面同下图。"),
+    ("{run} Case {hash}.", "{run}算例 {hash}。"),
+    (
+        "Section forces are of total stress; in a lining with pores the effective thrust is more tensile.",
+        "断面内力按总应力计；含孔隙水的衬砌，其有效轴力更偏拉。",
+    ),
+    (
+        " They are of total stress. In a lining with pores the effective thrust is more tensile, by the pore pressure \
+         times the thickness.",
+        "内力按总应力计；含孔隙水的衬砌，其有效轴力更偏拉，差值为孔隙水压力乘以厚度。",
+    ),
+    ("{names}: on pieces that came loose", "{names}：位于已松脱的块体上"),
+    ("{least} to {most}", "{least} ～ {most}"),
     (
         "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE.",
         "未给出验收限值：可在算例的 [report.limits] 中给出，或用命令 report 的选项 --limits 给出文件。",
@@ -69,8 +83,8 @@ pub const TEXTS: Texts = &[
         "平面地震波自下部入射；模型以外的围岩与其侧面相同。",
     ),
     (
-        "The width of a single crack depends on the mesh; pieces that come loose are not followed.",
-        "单条裂缝的宽度与网格有关；脱落的块体不作追踪。",
+        "The width of a single crack depends on the mesh, and is an upper bound where cracks turn parallel to a thin lining; pieces that come loose are not followed.",
+        "单条裂缝的宽度与网格有关，薄衬砌中裂缝转为平行于洞壁处为上限值；脱落的块体不作追踪。",
     ),
     (
         "No section is judged by a code: [[section]] in the case asks for it. Detailing is not checked.",
@@ -102,7 +116,7 @@ pub const TEXTS: Texts = &[
     ("none in this run", "本次计算无地震"),
     ("its level is not given", "未给出设防水准"),
     ("on outcropping rock; half of it is the incident wave", "基岩露头表面；其一半自下部入射"),
-    ("the wave that comes in from below", "自下部入射的波"),
+    ("the incident wave; a rock outcrop moves twice as much", "入射波；基岩露头处为其两倍"),
     ("within the ground, at the depth of the record", "地层内部，记录所在深度"),
     ("at the surface of the ground", "地表"),
     ("Meant", "设定位置"),
@@ -128,7 +142,7 @@ pub const TEXTS: Texts = &[
     ("free", "自由"),
     ("part", "部位"),
     ("utilisation, thrust and moment", "利用率（轴力与弯矩）"),
-    ("stations beyond 1", "利用率大于 1 的断面"),
+    ("stations above 1", "利用率大于 1 的断面"),
     ("cracked volume", "开裂体积"),
     ("of {stations}", "共 {stations} 个"),
     ("Limits of acceptance", "验收限值"),
@@ -140,8 +154,12 @@ pub const TEXTS: Texts = &[
     ("Limits of the method", "方法的局限"),
     ("Show", "展开"),
     (
-        "Its sections resist the computed forces, but some checks fail: utilisation {most} {way}.",
-        "断面能承受计算内力，但部分检查未通过：利用率 {most}（{way}）。",
+        "Its sections resist the computed forces (utilisation {most} {way}), but {warnings} of {judged} checks warn.",
+        "断面能承受计算内力（利用率 {most}，{way}），但 {judged} 项检查中有 {warnings} 项警告。",
+    ),
+    (
+        "Its sections resist the computed forces (utilisation {most} {way}), but nothing was checked.",
+        "断面能承受计算内力（利用率 {most}，{way}），但未作任何检查。",
     ),
     (
         "Its sections resist the computed forces: utilisation {most} {way}.",
@@ -152,11 +170,11 @@ pub const TEXTS: Texts = &[
         "断面承载力不满足要求：利用率 {most}（{way}）。",
     ),
     (
-        "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), {shear}; beyond 1 at {beyond} of {stations} stations.",
+        "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), {shear}; above 1 at {beyond} of {stations} stations.",
         "{lining}，{code}：利用率，轴力与弯矩 {bending}（{first}），{shear}；{stations} 个断面中 {beyond} 个大于 1。",
     ),
     (
-        "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), shear has no clause; beyond 1 at {beyond} of {stations} stations.",
+        "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), shear has no clause; above 1 at {beyond} of {stations} stations.",
         "{lining}，{code}：利用率，轴力与弯矩 {bending}（{first}），剪力无相应条文；{stations} 个断面中 {beyond} 个大于 1。",
     ),
     ("{value} in shear ({clause})", "剪力 {value}（{clause}）"),

@@ -45,7 +45,7 @@ pub const TEXTS: Texts = &[
     ),
     ("pressure of the water p", "孔隙水压力 p"),
     (
-        "Lines part what has water under pressure from what has none: the free surface, by element. Look for how far the openings drain the rock, and for pressure right behind a lining.",
+        "Lines separate elements with water under pressure from those without: the free surface. Look for how far the openings drain the rock, and for pressure right behind a lining.",
         "线条为有压与无压单元的分界，即按单元表示的浸润面。应注意洞室对岩体的疏干范围，以及紧邻衬砌背后的水压力。",
     ),
     ("monitor", "监测点"),

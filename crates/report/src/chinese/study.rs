@@ -105,12 +105,12 @@ pub const TEXTS: Texts = &[
         "数据可分离：直到 {below} 均未超过限值，自 {above} 起全部超过；中位值在两者之间，β 与 0 无法区分：请在其间增加水平，或增加记录",
     ),
     (
-        "the limit is not exceeded more often at higher intensities: this measure of intensity does not rule it",
+        "the limit is not exceeded more often at higher intensities: this measure of intensity does not govern it",
         "强度增大时超过限值并不更频繁：该强度指标不起控制作用",
     ),
     ("fewer than two different intensities at which the limit is exceeded", "超过限值的不同强度少于两个"),
     (
-        "{some} of {all} series of levels are beyond the limit at their first level, and nobody knows how far below: begin lower",
+        "{some} of {all} series of levels are beyond the limit at their first level, and how far below is not known: begin lower",
         "{all} 组逐级加载中有 {some} 组在第一级即超过限值，无从知道在其下多少：请从更低的水平开始",
     ),
     (

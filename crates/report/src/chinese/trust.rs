@@ -91,7 +91,7 @@ pub const TEXTS: Texts = &[
         "set by {set_by}; the estimate changed by {change} in the last of {iterations} iterations",
         "控制因素：{set_by}；在 {iterations} 次迭代的最后一次中估计值变化 {change}",
     ),
-    ("stable step over that without artificial viscosity", "稳定步长与不计人工黏性的稳定步长之比"),
+    ("stable step with artificial viscosity over that without", "稳定步长与不计人工黏性的稳定步长之比"),
     (
         "artificial viscosity damps the ringing of pieces between cracks and costs a share of the step",
         "人工黏性抑制裂缝之间碎块的高频振荡，代价是步长有所减小",

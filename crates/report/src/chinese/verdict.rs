@@ -18,14 +18,14 @@ pub const TEXTS: Texts = &[
     ("Cannot be said yet: the run has not ended.", "尚无法判断：计算没有结束。"),
     ("Not judged: no structure of this run can crack.", "未作判断：本次计算中没有会开裂的结构。"),
     ("Not judged by cracks. {yielded}", "未按裂缝判断。{yielded}"),
-    ("It is nowhere cracked, but has yielded. {yielded}", "未开裂，但已屈服。{yielded}"),
+    ("It has not cracked, but it has yielded. {yielded}", "未开裂，但已屈服。{yielded}"),
     ("It is damaged: cracks run through its thickness.", "已受损：裂缝贯穿衬砌厚度。"),
     (
-        "It is damaged: cracks run through its thickness, and pieces have come loose. Whether they fall, this model does not follow.",
+        "It is damaged: cracks run through its thickness, and pieces have come loose. This model cannot say whether they fall.",
         "已受损：裂缝贯穿衬砌厚度，并有块体脱离。块体是否掉落，本模型不作追踪。",
     ),
-    ("It is cracked, but nowhere through its thickness.", "已开裂，但没有一处贯穿厚度。"),
-    ("It is undamaged as computed, but some checks fail.", "计算结果为未损伤，但部分检查未通过。"),
+    ("It is cracked, but no crack runs through its thickness.", "已开裂，但没有一处贯穿厚度。"),
+    ("The computation shows no damage, but some checks warn.", "计算结果为未损伤，但部分检查未通过。"),
     ("It is undamaged; no earthquake has come.", "未损伤；尚未经历地震。"),
     ("It is undamaged.", "未损伤。"),
     ("The run left no summary, so nothing is checked.", "本次计算没有留下摘要，因此未作任何检查。"),
@@ -37,15 +37,15 @@ pub const TEXTS: Texts = &[
         "{judged} 项检查中 {passed} 项通过，无警告。",
     ),
     (
-        "The run is done; {passed} of {judged} checks pass. Look at the other first: {check}.",
+        "The run is done; {passed} of {judged} checks pass. Read the one that warns first: {check}.",
         "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看未通过的一项：{check}。",
     ),
     (
-        "The run is done; {passed} of {judged} checks pass. Look at the others first: {checks}.",
+        "The run is done; {passed} of {judged} checks pass. Read those that warn first: {checks}.",
         "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看其余各项：{checks}。",
     ),
     (
-        "The run is done; {passed} of {judged} checks pass. Look first at: {checks}; and {more} more.",
+        "The run is done; {passed} of {judged} checks pass. Read those that warn first: {checks}, and {more} more.",
         "计算已完成；{judged} 项检查中 {passed} 项通过。请先查看：{checks}；以及另外 {more} 项。",
     ),
     ("{first} By parts: {parts}.", "{first}其中各部分：{parts}。"),
@@ -81,6 +81,10 @@ pub const TEXTS: Texts = &[
         "Bolts of {groups} groups: none of {all} yielded; largest force {share} of yield, in {name}.",
         "{groups} 组锚杆：{all} 根均未屈服；最大轴力为屈服力的 {share}，位于 {name}。",
     ),
+    (
+        "Reinforcement {name}: no bar yielded in the elastic model, whose concrete takes tension without cracking.",
+        "{name} 的钢筋：弹性模型中均未屈服，但其混凝土受拉而不开裂。",
+    ),
     ("Reinforcement {name}: no bar yielded.", "{name} 的钢筋：均未屈服。"),
     ("Reinforcement {name}: bars yielded, none broke.", "{name} 的钢筋：有屈服，无拉断。"),
     ("Reinforcement {name}: bars yielded and broke.", "{name} 的钢筋：有屈服并有拉断。"),
@@ -98,6 +102,10 @@ pub const TEXTS: Texts = &[
         "{name}: yielded in shear in {shear} and in tension in {tension} of its volume.",
         "{name}：剪切屈服体积占 {shear}，受拉屈服体积占 {tension}。",
     ),
+    (
+        "{name}: yielded in shear in {volume}, {shear} of its volume.",
+        "{name}：剪切屈服体积 {volume}，占 {shear}。",
+    ),
     ("{name}: yielded in shear in {shear} of its volume.", "{name}：剪切屈服体积占 {shear}。"),
     ("{name}: yielded in tension in {tension} of its volume.", "{name}：受拉屈服体积占 {tension}。"),
     ("{first} {second}", "{first}{second}"),
@@ -106,7 +114,7 @@ pub const TEXTS: Texts = &[
         "监测点 {pair} 的相对位移最大为 {most}（{time}\u{a0}s）；结束时为 {left}。",
     ),
     (
-        "{first} Not looked at: {pairs}, with a monitor on a piece that came loose.",
+        "{first} Not counted: {pairs}, of which a monitor is on a piece that came loose.",
         "{first}未计入：{pairs}，其中有监测点所在混凝土块已松动。",
     ),
 ];

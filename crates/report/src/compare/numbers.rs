@@ -117,8 +117,10 @@ fn section_forces(source: &Source, language: Language) -> Vec<(String, f64)> {
 
 fn used(summary: &Summary, language: Language) -> Vec<(String, f64)> {
     let both = |(name, of): (&String, &tremolite_results::SectionStrength)| {
+        // An infinite one is no number in the file.
+        let size = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         let value =
-            |used: &Option<tremolite_results::Used>| used.as_ref().map_or(f64::NAN, |used| used.value);
+            |used: &Option<tremolite_results::Used>| used.as_ref().map_or(f64::NAN, |used| size(used.value));
         [
             (say!(language, "{lining}: thrust and moment", lining = name), value(&of.bending)),
             (say!(language, "{lining}: shear", lining = name), value(&of.shear)),
@@ -161,7 +163,7 @@ fn gather(all: impl Iterator<Item = Vec<(String, f64)>>) -> Vec<NumberRow> {
     let all: Vec<Vec<(String, f64)>> = all.collect();
     let mut rows: Vec<NumberRow> = Vec::new();
     for (run, numbers) in all.iter().enumerate() {
-        for (label, value) in numbers.iter().filter(|(_, value)| value.is_finite()) {
+        for (label, value) in numbers.iter().filter(|(_, value)| !value.is_nan()) {
             let at = rows.iter().position(|row| row.label == *label).unwrap_or_else(|| {
                 rows.push(NumberRow { label: label.clone(), values: vec![None; all.len()] });
                 rows.len() - 1
@@ -176,8 +178,8 @@ fn gather(all: impl Iterator<Item = Vec<(String, f64)>>) -> Vec<NumberRow> {
 
 /// One unit for the whole table.
 fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
-    let largest =
-        rows.iter().flat_map(|row| row.values.iter().flatten()).fold(0.0_f64, |most, x| most.max(x.abs()));
+    let all = rows.iter().flat_map(|row| row.values.iter().flatten()).filter(|x| x.is_finite());
+    let largest = all.fold(0.0_f64, |most, x| most.max(x.abs()));
     let scale = match unit {
         "%" => Scale { factor: 100.0, unit: "%".into() },
         // In thousands already.
@@ -194,6 +196,9 @@ fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
         let first = row.values[0];
         let cell = |(run, value): (usize, &Option<f64>)| {
             let Some(value) = value else { return Cell::number("–") };
+            if value.is_infinite() {
+                return Cell::number("∞");
+            }
             let shown = if value.abs() <= negligible { "0".into() } else { scale.number(*value) };
             let cell = Cell::number(shown);
             match first.filter(|_| run > 0) {
@@ -210,6 +215,10 @@ fn table(runs: &[Run], rows: &[NumberRow], unit: &str) -> TextTable {
 /// By how much the size differs from the first value's, in percent; a dash where that is nothing to compare with, and arrows
 /// where the sign is another.
 fn difference(first: f64, value: f64, small: f64) -> String {
+    // Of an infinite one there is no share.
+    if first.is_infinite() {
+        return "–".into();
+    }
     // The same to what sums in another order leave.
     if (value - first).abs() <= 1e-12 * first.abs() {
         return "=".into();

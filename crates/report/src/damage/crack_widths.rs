@@ -6,7 +6,6 @@ use crate::language::{Language, say};
 pub fn width_by_mesh(language: Language) -> String {
     say!(
         language,
-        "How many cracks share an even stretch, and so how wide each is, goes by the mesh: smaller elements make more of them, each less \
-         wide. What the cracks take together does not go by it."
+        "The number of cracks that share a uniform strain, and so the width of each, depends on the mesh: smaller elements make more and narrower cracks. Their total opening does not depend on it."
     )
 }

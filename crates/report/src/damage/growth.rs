@@ -28,7 +28,7 @@ pub fn section(source: &Source) -> Option<Section> {
     let first = say!(
         language,
         "Share of each group's volume that is cracked or crushed (damage above 0.5) or has yielded, and the widest crack so \
-         far. Does it grow in one blow, or with every cycle? What still grows at the end has not come to rest."
+         far. Look whether it grows at once or with every cycle; what still grows at the end of the run may go on."
     );
     let caption = say!(language, "{first} {second}", first = first, second = width_by_mesh(language));
     let titles = Titles { heading: &heading, file: "damage", caption: &caption };

@@ -166,7 +166,7 @@ impl Scene {
             ),
             say!(
                 language,
-                "Tension opens cracks, which may close again and then carry pressure; shear takes what carries pressure. Look for \
+                "Tension opens cracks, which may close again and then carry pressure; damage in shear lowers the strength in compression. Look for \
                  shear where a lining is thin or bears most, at the crown and the feet: a lining cracked in tension alone can still carry thrust, where \
                  it is sheared or crushed through it has its residual strength alone. Largest mean of an element: D⁺ {tension}, D⁻ {shear}.",
                 tension = self.most(&maps[0]),

@@ -45,7 +45,7 @@ pub fn developed(language: Language, sheets: &[Sheet]) -> Vec<String> {
     });
     if let Some(sheet) = sheets.iter().find(|sheet| sheet.wraps && sheet.axis[2].abs() <= 0.5) {
         let axis = direction(sheet.axis);
-        said.push(say!(language, "Left and right are those of who looks along +{axis}.", axis = axis));
+        said.push(say!(language, "Left and right are as seen along +{axis}.", axis = axis));
     }
     if sheets.iter().any(|sheet| !end_walls(sheet).is_empty()) {
         said.push(say!(

@@ -22,7 +22,12 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     let without = |note: String, loose: &[&str]| match loose.is_empty() {
         true => note,
         false => {
-            say!(language, "{first}; without {names}, loose pieces", first = note, names = loose.join(", "))
+            say!(
+                language,
+                "{first}; not counted, since loose: {names}",
+                first = note,
+                names = loose.join(", ")
+            )
         }
     };
     if let Ok(table) = &source.monitors {
@@ -94,6 +99,11 @@ fn counted(facts: &Summary) -> (Vec<&String>, Vec<&String>) {
     if counted.is_empty() { (counted, loose) } else { (loose, counted) }
 }
 
+/// Monitors that do not count beside others, because they came loose.
+pub fn loose_monitors(facts: &Summary) -> Vec<&str> {
+    counted(facts).0.into_iter().map(String::as_str).collect()
+}
+
 /// Monitor, time (s) and length (m) of the largest displacement, without loose pieces.
 pub fn largest_displacement<'a>(source: &Source, facts: &'a Summary) -> Option<(&'a str, f64, f64)> {
     longest(source.monitors.as_ref().ok()?, counted(facts).1.into_iter())
@@ -143,7 +153,7 @@ fn stress_cards(source: &Source, facts: &Summary, at: impl Fn(f64) -> String) ->
         if let Some((group, peak)) = found {
             let note = say!(
                 language,
-                "{group} at {time}; at the fibre of intact elements of several points, else at points",
+                "{group} at {time}; at the fibre of intact elements with several points, otherwise at points",
                 group = group,
                 time = at(peak.time)
             );

@@ -108,7 +108,7 @@ fn group_stress(source: &Source, summary: &Summary) -> PeakTable {
     });
     let heading = say!(
         source.language,
-        "Principal stress of groups, tension positive; of elements of several points at the fibre while intact, else at points"
+        "Principal stress of groups, tension positive; at the fibre of intact elements with several points, otherwise at points"
     );
     let rows: Vec<PeakRow> = rows.collect();
     PeakTable { heading, unit: scale.unit, rows }

@@ -19,8 +19,7 @@ impl Recorded<'_> {
         let names = ["ux", "uy", "uz"];
         let mut caption = self.in_step(say!(
             language,
-            "Relative to the state before the earthquake. Do all monitors move in step, so that the caverns ride \
-             with the rock? And do they come back: what is left at the end has not."
+            "Relative to the state before the earthquake. Look whether all monitors move in step, as those of a cavern do that moves with the rock, and whether they return: what is left at the end is permanent."
         ));
         let size = |monitor: &str| {
             let of = |quantity: &&str| self.table.column(&format!("{monitor}.{quantity}"));
@@ -79,8 +78,7 @@ impl Recorded<'_> {
         let all = !self.monitors.iter().any(|name| held(name));
         let mut caption = say!(
             language,
-            "Of each monitor its displacement less the mean of all in every row: what all share strains nothing and is \
-             taken away. Look for monitors that leave the others for good."
+            "Displacement of each monitor less the mean of all in the same row: motion that all share causes no strain. Look for monitors that do not return to the others."
         );
         if !all && !loose.is_empty() {
             caption = say!(

@@ -46,7 +46,7 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
     if panels.is_empty() {
         return None;
     }
-    let heading = say!(language, "The record, and what came out where it was taken");
+    let heading = say!(language, "The record, and the computed motion where it was taken");
     let mut caption = say!(
         language,
         "Broad is the record on the time of the run, thin how the free field moved at its place: the layered ground beside the model, \
@@ -63,7 +63,7 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
     }
     caption.push_str(&say!(
         language,
-        " What differs is the mesh's, of rock that yields, or of what was left out above the record's band."
+        " Differences come from the mesh, from rock that yields, or from what was left out above the record's band."
     ));
     let chart = Chart { title: heading.clone(), time: &found.time, panels };
     let (svg, curves) = (chart.draw(language), Some(Curves::of_chart(&chart, language)));

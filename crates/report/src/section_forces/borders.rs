@@ -68,11 +68,18 @@ pub fn figure(
         svg.finish(axes.bottom + 42.0, &title, &below)
     };
     let (svg, narrow) = (drawn(WIDTH, &title), Some(drawn(NARROW, "")));
-    let caption = say!(
+    let mut caption = say!(
         language,
         "Design strength by {code}, bars (inside + outside) included; each point is N and M of one instant. Inside its line a section bears them.",
         code = of.code
     );
+    if of.factors.dynamic != 1.0 && rows.iter().any(|row| row.when == "max") {
+        caption.push_str(&say!(
+            language,
+            " The lines have the concrete's strength of the earthquake, {dynamic} times the static one by which the points after the stages are judged.",
+            dynamic = trimmed(&figures(of.factors.dynamic, 3))
+        ));
+    }
     Some(Figure {
         heading: title,
         file: format!("section-strength{suffix}.svg"),

@@ -16,8 +16,8 @@ const TOP: f64 = 52.0;
 const ROOM: f64 = 46.0;
 /// By this texts are larger where the drawing is shrunk to half a page's width.
 const LARGER: f64 = 2.0;
-/// Room beside the ordinates there, for numbers that stand over the ends of their neighbours.
-const LARGER_ROOM: f64 = 80.0;
+/// Room beside the ordinates there, where their numbers stand above the drawing.
+const LARGER_ROOM: f64 = 14.0;
 /// The forces in a word there.
 const BRIEF: [&str; 3] = ["N (kN/m)", "M (kN\u{a0}m/m)", "Q (kN/m)"];
 
@@ -44,20 +44,28 @@ pub fn figure(
         let margin = LONGEST + if shrunk { LARGER_ROOM } else { ROOM };
         let zoom = ((cell - 2.0 * margin) / (x.1 - x.0).max(1e-9))
             .min((TALLEST - 2.0 * LONGEST) / (z.1 - z.0).max(1e-9));
-        let height = (z.1 - z.0) * zoom + 2.0 * LONGEST + 2.0 * ROOM;
+        let room = if shrunk { LARGER_ROOM } else { ROOM };
+        let height = (z.1 - z.0) * zoom + 2.0 * LONGEST + 2.0 * room;
         let mut svg = Svg::new(WIDTH);
-        let top = legend(language, &mut svg, lining, larger);
+        // There a line more: between which values the force went.
+        let line = if shrunk { 15.0 * larger } else { 0.0 };
+        let top = legend(language, &mut svg, lining, larger) + line;
         for (i, force) in forces(language).into_iter().enumerate() {
             let force = if shrunk { BRIEF[i].to_owned() } else { force };
             let middle = (i as f64 + 0.5) * cell;
             let size = (13.0 * larger).min(0.96 * cell / text_width(&force, 1.0));
-            svg.text((middle, top - 8.0), Anchor::Middle, size, Style::Bold, &force);
+            svg.text((middle, top - 8.0 - line), Anchor::Middle, size, Style::Bold, &force);
+            if let Some((least, most)) = extent(section, i).filter(|_| shrunk) {
+                let range = say!(language, "{least} to {most}", least = kilo(least), most = kilo(most));
+                let size = (12.0 * larger).min(0.96 * cell / text_width(&range, 1.0));
+                svg.text((middle, top - 8.0), Anchor::Middle, size, Style::Plain, &range);
+            }
             let place = |s: &Station| {
-                let down = LONGEST + ROOM + (z.1 - s.place[2]) * zoom;
+                let down = LONGEST + room + (z.1 - s.place[2]) * zoom;
                 (middle + (s.place[0] - 0.5 * (x.0 + x.1)) * zoom, top + down)
             };
             let places: Vec<(f64, f64)> = section.iter().map(|s| place(s)).collect();
-            diagram(&mut svg, (section, &places), i, larger);
+            diagram(&mut svg, (section, &places), i, !shrunk);
         }
         svg.finish(top + height + 4.0, &title, &description)
     };
@@ -99,7 +107,18 @@ fn legend(language: Language, svg: &mut Svg, lining: &Lining, larger: f64) -> f6
     y + (TOP - 16.0) * larger
 }
 
-fn diagram(svg: &mut Svg, (section, places): (&[&Station], &[(f64, f64)]), i: usize, larger: f64) {
+/// The smallest and the largest of a force, after the stages and in the shaking; none where there is no number.
+fn extent(section: &[&Station], i: usize) -> Option<(f64, f64)> {
+    let of = |s: &Station| [Some(s.after[i]), s.most.map(|e| e.forces[i]), s.least.map(|e| e.forces[i])];
+    let values = section.iter().flat_map(|s| of(s)).flatten().filter(|value| value.is_finite());
+    values.fold(None, |range, x| {
+        let (least, most) = range.unwrap_or((x, x));
+        Some((x.min(least), x.max(most)))
+    })
+}
+
+/// One force over the shape; with `numbered`, its largest values to either side stand at their ordinates.
+fn diagram(svg: &mut Svg, (section, places): (&[&Station], &[(f64, f64)]), i: usize, numbered: bool) {
     let joints = joints(section);
     let normals = normals(&joints, places);
     // A positive moment stretches the intrados, which is inside. Thrust mostly compresses, and has more room outside.
@@ -147,6 +166,9 @@ fn diagram(svg: &mut Svg, (section, places): (&[&Station], &[(f64, f64)]), i: us
             svg.lines(COLOURS[number], if number == 0 { 1.9 } else { 1.2 }, &lines);
         }
     }
+    if !numbered {
+        return;
+    }
     // The longest ordinate to either side, with its number.
     let mut ends: Vec<(usize, f64)> = Vec::new();
     for sign in [1.0, -1.0] {
@@ -169,8 +191,7 @@ fn diagram(svg: &mut Svg, (section, places): (&[&Station], &[(f64, f64)]), i: us
         } else {
             Anchor::Middle
         };
-        let at = (at.0 + 6.0 * dx, at.1 + larger * (4.0 + 10.0 * dy));
-        svg.text(at, anchor, 12.0 * larger, Style::Bold, &kilo(value));
+        svg.text((at.0 + 6.0 * dx, at.1 + 4.0 + 10.0 * dy), anchor, 12.0, Style::Bold, &kilo(value));
     }
 }
 

@@ -174,7 +174,7 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
     if !shaken.is_empty() {
         caption.push_str(&say!(
             language,
-            " At one of those extremes, counted over the same file: {elastic} and {ultimate}. Cracks may be at more places: N and M hold nothing of stresses along the cavern, and a section that has cracked no longer carries what cracked it.",
+            " At one of those extremes, counted over the same file: {elastic} and {ultimate}. There may be more cracks: N and M contain no stress along the cavern, and a cracked section no longer carries the forces that cracked it.",
             elastic = beyond(&|s| strength.sound(s)),
             ultimate = beyond(&|s| strength.bears(s)),
         ));

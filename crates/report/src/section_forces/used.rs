@@ -18,6 +18,12 @@ use crate::source::Source;
 /// Beyond this a utilisation says no more than that nearly nothing is borne.
 const MOST: f64 = 100.0;
 
+/// Beyond this it is drawn at this, so that 1 can be told.
+const DRAWN: f64 = 5.0;
+
+/// Width (m) of a crack below which it counts as closed: a crack of 0.01 mm is seen by no eye.
+const SEEN: f64 = 1e-5;
+
 /// A utilisation as the page shows it. Where nothing at all is borne it is infinite, which is no number in the file.
 pub fn shown(value: f64) -> String {
     match value {
@@ -120,6 +126,10 @@ pub fn left(source: &Source, of: &SectionStrength) -> String {
         Some(crack) if crack.station > 0 && overloaded(of) => say!(source.language, "not known"),
         Some(crack) if crack.station > 0 && crack.width.is_nan() => say!(source.language, "bars yield"),
         Some(crack) if crack.station > 0 && crack.width == 0.0 => say!(source.language, "none"),
+        // Less than one can see or measure is no number of the clause's accuracy.
+        Some(crack) if crack.station > 0 && crack.width < SEEN => {
+            format!("<\u{a0}{}", trimmed(&source.quantity(Kind::Opening, SEEN)))
+        }
         Some(crack) if crack.station > 0 => source.quantity(Kind::Opening, crack.width),
         _ => "–".to_owned(),
     }
@@ -233,13 +243,21 @@ pub fn figure(
         Pen::Dashed,
         vec![(0.0, 1.0), (end, 1.0)],
     ));
-    let most = plot::ranges(&curves).1.1.min(5.0);
-    // What is far beyond is cut, so that 1 can be told.
+    let largest = plot::ranges(&curves).1.1;
+    let most = largest.min(DRAWN);
+    let cut = largest > DRAWN;
     for curve in &mut curves {
         curve.pieces.iter_mut().flatten().for_each(|p| p.1 = p.1.min(most));
     }
     let title = say!(language, "{lining}: utilisation of the sections", lining = lining);
     let below = say!(language, "along the lining (m), from the foot at greater x over the crown");
+    // The axis says of its highest mark what is drawn there.
+    let up = || {
+        let mut up = Ticks::around(0.0, most, 6);
+        let highest = up.marks.iter_mut().filter(|(at, _)| cut && (*at - most).abs() < 1e-9);
+        highest.for_each(|(_, label)| *label = format!("≥\u{a0}{label}"));
+        up
+    };
     let drawn = |width: f64, heading: &str| {
         let mut svg = Svg::new(width);
         let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &curves);
@@ -249,18 +267,22 @@ pub fn figure(
             top,
             bottom: top + if width < WIDTH { 220.0 } else { 240.0 },
             across: Ticks::within(0.0, end, if width < WIDTH { 7 } else { 12 }),
-            up: Ticks::around(0.0, most, 6),
+            up: up(),
         };
         plot::draw(&mut svg, &axes, &curves);
         svg.text((width - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
         svg.finish(axes.bottom + 42.0, &title, &below)
     };
     let (svg, narrow) = (drawn(WIDTH, &title), Some(drawn(NARROW, "")));
-    let caption = say!(
-        language,
-        "Of the section drawn below. Values beyond {most} are drawn there.",
-        most = figures(most, 2)
-    );
+    let mut caption = say!(language, "Of the section drawn below.");
+    if cut {
+        let most = figures(most, 2);
+        caption.push_str(&say!(
+            language,
+            " Values above {most}, infinite ones too, are drawn at {most}.",
+            most = most
+        ));
+    }
     Some(Figure {
         heading: title,
         file: format!("utilisation{suffix}.svg"),

@@ -152,8 +152,7 @@ impl Zones {
         }
         said.push(say!(
             language,
-            "A zone of one element's depth is no more than the mesh can say; zones that join between caverns, or reach deep into a \
-             pillar, are what to look for."
+            "A zone one element deep may be an effect of the mesh. Look for zones that join between caverns or reach deep into a pillar."
         ));
         if before.is_none() {
             maps[0].0.clear();

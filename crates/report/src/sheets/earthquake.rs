@@ -23,7 +23,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     facts.push(card(label(), level, ""));
     let place = match motion.kind.as_str() {
         "outcrop" => say!(language, "on outcropping rock; half of it is the incident wave"),
-        "incident" => say!(language, "the wave that comes in from below"),
+        "incident" => say!(language, "the incident wave; a rock outcrop moves twice as much"),
         "within" => say!(language, "within the ground, at the depth of the record"),
         "surface" => say!(language, "at the surface of the ground"),
         _ => kind_of_motion(language, &motion.kind),

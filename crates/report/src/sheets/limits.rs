@@ -4,12 +4,13 @@ use serde::Serialize;
 use tremolite_results::Summary;
 
 use crate::damage::opening;
-use crate::facts::key_results::{largest_displacement, largest_relative};
+use crate::facts::key_results::{largest_displacement, largest_relative, loose_monitors};
 use crate::language::say;
 use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::section_forces::used::{left, overloaded, place, shown};
 use crate::source::Source;
+use crate::source::monitor_pairs::held;
 use crate::verdict::short_names::percent;
 
 /// A limit, what was found, and whether it is met.
@@ -85,6 +86,10 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
                 (String::new(), note)
             }
             None if idle => (String::new(), say!(language, "no material of this run can crack")),
+            None if name_of == "relative_displacement" && !loose_pairs(source, summary).is_empty() => {
+                let pairs = loose_pairs(source, summary).join(&say!(language, ", "));
+                (String::new(), say!(language, "{names}: on pieces that came loose", names = pairs))
+            }
             None => (String::new(), say!(language, "the results do not hold it")),
         };
         LimitRow { name, found, note, limit: format!("≤ {limit_text}"), class, mark }
@@ -104,17 +109,37 @@ fn unknown_crack(summary: &Summary) -> Option<&String> {
     summary.parts.sections.iter().find(|(_, of)| asked(of) && overloaded(of)).map(|(name, _)| name)
 }
 
+/// Pairs of monitors that do not count, because one of them came loose.
+fn loose_pairs<'a>(source: &Source, summary: &'a Summary) -> Vec<&'a str> {
+    held(source, summary).1
+}
+
+/// A note with what it leaves out.
+fn without(source: &Source, note: String, loose: &[&str]) -> String {
+    match loose.is_empty() {
+        true => note,
+        false => say!(
+            source.language,
+            "{first}; not counted, since loose: {names}",
+            first = note,
+            names = loose.join(&say!(source.language, ", "))
+        ),
+    }
+}
+
 fn displacement(source: &Source, summary: &Summary) -> Found {
     let (monitor, time, size) = largest_displacement(source, summary)?;
     let at = crate::quantities::scale::moment(time, source.duration());
     let note = say!(source.language, "{monitor} at {time}\u{a0}s", monitor = monitor, time = at);
-    Some((size, source.quantity(Kind::Displacement, size), note))
+    let loose = loose_monitors(summary);
+    Some((size, source.quantity(Kind::Displacement, size), without(source, note, &loose)))
 }
 
 fn relative(source: &Source, summary: &Summary) -> Found {
     let (pair, time, size) = largest_relative(source, summary)?;
     let at = crate::quantities::scale::moment(time, source.duration());
     let note = say!(source.language, "{monitor} at {time}\u{a0}s", monitor = pair, time = at);
+    let note = without(source, note, &loose_pairs(source, summary));
     Some((size, source.quantity(Kind::Displacement, size), note))
 }
 
@@ -157,15 +182,18 @@ fn cracked(summary: &Summary) -> Found {
 fn utilisation(source: &Source, summary: &Summary) -> Found {
     let of = |(lining, of): (&String, &tremolite_results::SectionStrength)| {
         let both = [of.bending.clone(), of.shear.clone()];
-        both.into_iter().flatten().map(|used| (lining.clone(), used)).collect::<Vec<_>>()
+        let each = both.into_iter().enumerate().filter_map(|(k, used)| Some((k == 1, used?)));
+        each.map(|(shear, used)| (lining.clone(), shear, used)).collect::<Vec<_>>()
     };
     // An infinite one is no number in the file.
     let size = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
     let all = summary.parts.sections.iter().flat_map(of);
-    let (lining, used) = all.max_by(|a, b| size(a.1.value).total_cmp(&size(b.1.value)))?;
-    let mut note = format!("{lining} {}", place(source, &used));
+    let (lining, shear, used) = all.max_by(|a, b| size(a.2.value).total_cmp(&size(b.2.value)))?;
+    let language = source.language;
+    let way = if shear { say!(language, "in shear") } else { say!(language, "in thrust and moment") };
+    let mut note = format!("{way}{}{lining} {}", say!(language, ", "), place(source, &used));
     if summary.parts.sections.get(&lining).is_some_and(|of| of.yields) {
-        note.push_str(&say!(source.language, "; a cross-check, since this lining can crack"));
+        note.push_str(&say!(language, "; a cross-check, since this lining can crack"));
     }
     Some((size(used.value), shown(used.value), note))
 }

@@ -5,7 +5,7 @@ use tremolite_results::{SectionStrength, Summary};
 use crate::facts::materials;
 use crate::facts::{Fact, card};
 use crate::language::{Language, say};
-use crate::quantities::scale::{count, figures, span, trimmed};
+use crate::quantities::scale::{count, figures, quantity, span, trimmed};
 use crate::source::Source;
 
 /// Stages that are named; of more their number is told beside the first and the last.
@@ -29,7 +29,8 @@ const TOLD: [&str; 12] = [
 ];
 
 /// By which code sections are judged, with its factors and the bars.
-fn sections(language: Language, of: &SectionStrength) -> String {
+fn sections(source: &Source, of: &SectionStrength) -> String {
+    let language = source.language;
     let factor = |x: f64| trimmed(&figures(x, 3));
     let mut parts = vec![of.code.clone()];
     parts.extend((!of.grade.is_empty()).then(|| of.grade.clone()));
@@ -41,6 +42,13 @@ fn sections(language: Language, of: &SectionStrength) -> String {
         ("γ_d", of.factors.gamma_d),
     ];
     parts.extend(each.into_iter().map(|(name, x)| format!("{name} {}", factor(x))));
+    if source.shakes() {
+        parts.push(say!(
+            language,
+            "concrete × {dynamic} in the earthquake",
+            dynamic = factor(of.factors.dynamic)
+        ));
+    }
     let area = |x: f64| format!("{:.0}", 1e6 * x);
     parts.push(match of.borders.iter().map(|b| b.bars).find(|bars| *bars != [0.0; 2]) {
         Some([inner, outer]) => {
@@ -54,6 +62,9 @@ fn sections(language: Language, of: &SectionStrength) -> String {
         None if of.reinforced == 0 => say!(language, "no bars"),
         None => say!(language, "with bars"),
     });
+    if of.steel > 0.0 && of.reinforced > 0 {
+        parts.push(format!("f_yk {}", trimmed(&quantity("Pa", of.steel))));
+    }
     parts.join(&say!(language, ", "))
 }
 
@@ -93,7 +104,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     // A line for each way in which linings are judged.
     let mut judged: Vec<(String, Vec<&str>)> = Vec::new();
     for (lining, of) in &summary.parts.sections {
-        let text = sections(language, of);
+        let text = sections(source, of);
         match judged.iter_mut().find(|(known, _)| *known == text) {
             Some((_, linings)) => linings.push(lining),
             None => judged.push((text, vec![lining])),
@@ -112,7 +123,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         };
         let all = boundaries.iter().map(|(at, word)| format!("{} {}", place(at), boundary(language, word)));
         let all: Vec<String> = all.collect();
-        facts.push(card(say!(language, "Boundaries"), all.join("; "), ""));
+        facts.push(card(say!(language, "Boundaries"), all.join(&say!(language, "; ")), ""));
     }
     if let [Some(pressure), Some(earthquake)] =
         ["pressure", "earthquake"].map(|key| summary.computed.water.get(key))

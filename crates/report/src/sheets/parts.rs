@@ -15,17 +15,22 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
     let language = source.language;
     let none = || "–".to_owned();
     let mut head = vec![Head::words(say!(language, "part"))];
-    head.extend(
-        [
-            say!(language, "utilisation, thrust and moment"),
-            say!(language, "in shear"),
-            say!(language, "stations beyond 1"),
-            say!(language, "cracked volume"),
-            say!(language, "widest crack"),
-            say!(language, "through the thickness"),
-        ]
-        .map(Head::number),
-    );
+    // What no part has is no column.
+    let judged = !summary.parts.sections.is_empty();
+    let can_crack = |group: &GroupDamage| group.cracks.is_some() || group.measures.contains_key("d_tension");
+    let cracks = summary.parts.damage.values().any(can_crack);
+    let of_code = [
+        say!(language, "utilisation, thrust and moment"),
+        say!(language, "in shear"),
+        say!(language, "stations above 1"),
+    ];
+    let of_model = [
+        say!(language, "cracked volume"),
+        say!(language, "widest crack"),
+        say!(language, "through the thickness"),
+    ];
+    head.extend(of_code.map(Head::number).into_iter().filter(|_| judged));
+    head.extend(of_model.map(Head::number).into_iter().filter(|_| cracks));
     // By the code, of linings with bars alone.
     let lasting = summary.parts.sections.values().any(|of| of.crack.is_some());
     if lasting {
@@ -50,28 +55,12 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
                 let stations = say!(language, "of {stations}", stations = of.stations);
                 row.push(Cell::number(of.beyond.to_string()).with(stations));
             }
-            None => row.extend([none(), none(), none()].map(Cell::number)),
+            None if judged => row.extend([none(), none(), none()].map(Cell::number)),
+            None => {}
         }
-        let group = summary.parts.damage.get(name);
-        let share = group.and_then(|group| {
-            let measure = group.measures.get("d_tension")?;
-            Some(measure.beyond.get("0.5").copied().unwrap_or(0.0) / group.volume)
-        });
-        row.push(Cell::number(share.map_or_else(none, percent)));
-        let cracks = group.and_then(|group| group.cracks.as_ref());
-        row.push(Cell::number(match cracks {
-            Some(cracks) if cracks.widest.is_some() => opening(source, cracks),
-            Some(_) => say!(language, "none"),
-            None => none(),
-        }));
-        row.push(match cracks {
-            Some(cracks) => Cell::number(cracks.through.to_string()).with(say!(
-                language,
-                "of {stations}",
-                stations = cracks.stacks
-            )),
-            None => Cell::number(none()),
-        });
+        if cracks {
+            row.extend(cracked(source, summary, name));
+        }
         if lasting {
             let of = summary.parts.sections.get(name);
             row.push(Cell::number(of.map_or_else(none, |of| left(source, of))));
@@ -80,6 +69,31 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
     });
     let rows: Vec<Vec<Cell>> = rows.collect();
     TextTable { head: if rows.is_empty() { Vec::new() } else { vec![head] }, rows }
+}
+
+/// Of one part: cracked share of its volume, widest crack, places cracked through.
+fn cracked(source: &Source, summary: &Summary, name: &str) -> [Cell; 3] {
+    let language = source.language;
+    let none = || "–".to_owned();
+    let group = summary.parts.damage.get(name);
+    let share = group.and_then(|group| {
+        let measure = group.measures.get("d_tension")?;
+        Some(measure.beyond.get("0.5").copied().unwrap_or(0.0) / group.volume)
+    });
+    let cracks = group.and_then(|group| group.cracks.as_ref());
+    let widest = match cracks {
+        Some(cracks) if cracks.widest.is_some() => opening(source, cracks),
+        Some(_) => say!(language, "none"),
+        None => none(),
+    };
+    let through = match cracks {
+        Some(cracks) => {
+            let stacks = say!(language, "of {stations}", stations = cracks.stacks);
+            Cell::number(cracks.through.to_string()).with(stacks)
+        }
+        None => Cell::number(none()),
+    };
+    [Cell::number(share.map_or_else(none, percent)), Cell::number(widest), through]
 }
 
 /// Interfaces, bolts and rock, a sentence each.

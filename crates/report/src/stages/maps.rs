@@ -66,7 +66,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
             say!(language, "smallest principal stress s3, tension positive"),
             say!(
                 language,
-                "Look for the darkest corners, where pressure gathers, and for how far it reaches into pillars."
+                "Look for the darkest places, where compression concentrates, and for how far they reach into pillars."
             ),
             "stage-s3.svg",
             true,

@@ -74,7 +74,7 @@ pub fn map(
         title: &say!(language, "pressure of the water p"),
         look: &say!(
             language,
-            "Lines part what has water under pressure from what has none: the free surface, by element. Look for how far the openings drain \
+            "Lines separate elements with water under pressure from those without: the free surface. Look for how far the openings drain \
              the rock, and for pressure right behind a lining."
         ),
         file: "stage-p.svg",

@@ -31,13 +31,24 @@ pub fn answer(source: &Source, facts: &Summary) -> Option<(&'static str, String)
     let bending = of.bending.as_ref().is_some_and(|used| used.value.is_nan() || used.value >= most);
     let way = if bending { say!(language, "in thrust and moment") } else { say!(language, "in shear") };
     Some(match most <= 1.0 {
-        true if facts.warnings() > 0 || facts.judged() == 0 => (
+        true if facts.judged() == 0 => (
             "warn",
             say!(
                 language,
-                "Its sections resist the computed forces, but some checks fail: utilisation {most} {way}.",
+                "Its sections resist the computed forces (utilisation {most} {way}), but nothing was checked.",
                 most = shown(most),
                 way = way
+            ),
+        ),
+        true if facts.warnings() > 0 => (
+            "warn",
+            say!(
+                language,
+                "Its sections resist the computed forces (utilisation {most} {way}), but {warnings} of {judged} checks warn.",
+                most = shown(most),
+                way = way,
+                warnings = facts.warnings(),
+                judged = facts.judged()
             ),
         ),
         true => (
@@ -98,7 +109,7 @@ pub fn lines(source: &Source, facts: &Summary) -> Vec<VerdictLine> {
         text: match clauses(of) {
             [first, ""] => say!(
                 language,
-                "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), shear has no clause; beyond 1 at {beyond} of {stations} stations.",
+                "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), shear has no clause; above 1 at {beyond} of {stations} stations.",
                 lining = short(name, NAME),
                 bending = told(&of.bending),
                 first = first,
@@ -108,7 +119,7 @@ pub fn lines(source: &Source, facts: &Summary) -> Vec<VerdictLine> {
             ),
             [first, _] => say!(
                 language,
-                "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), {shear}; beyond 1 at {beyond} of {stations} stations.",
+                "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), {shear}; above 1 at {beyond} of {stations} stations.",
                 lining = short(name, NAME),
                 bending = told(&of.bending),
                 first = first,

@@ -4,6 +4,7 @@ use tremolite_results::{Finding, Severity, Summary};
 
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, quantity};
+use crate::section_forces::used::overloaded;
 use crate::verdict::short_names::{NAME, percent, short};
 
 /// A share that hides how much of a block of rock, most of it far from the caverns, has yielded.
@@ -114,7 +115,14 @@ fn of_bolts(language: Language, facts: &Summary, bolts: &Finding) -> Option<(Sev
     let name = short(&bolts.group, NAME);
     // Of reinforcement each row of elements has a chain: their number says nothing.
     let bars = facts.parts.bolts.get(&bolts.group).is_some_and(|group| group.bars);
+    // Beside concrete that cannot crack they carry little: where its sections are beyond their strength that is no good news.
+    let beyond = facts.parts.sections.values().any(|of| of.reinforced > 0 && overloaded(of));
     let text = match (yielded > 0.0, broken > 0.0) {
+        (false, false) if bars && beyond => say!(
+            language,
+            "Reinforcement {name}: no bar yielded in the elastic model, whose concrete takes tension without cracking.",
+            name = name
+        ),
         (false, false) if bars => say!(language, "Reinforcement {name}: no bar yielded.", name = name),
         (_, false) if bars => {
             say!(language, "Reinforcement {name}: bars yielded, none broke.", name = name)
@@ -139,7 +147,11 @@ fn of_bolts(language: Language, facts: &Summary, bolts: &Finding) -> Option<(Sev
             broken = broken
         ),
     };
-    Some((bolts.severity, text))
+    let severity = match bolts.severity {
+        Severity::Undamaged if bars && beyond => Severity::Damaged,
+        other => other,
+    };
+    Some((severity, text))
 }
 
 /// Of the rock that which has yielded worst.
@@ -157,6 +169,15 @@ pub fn yielded(language: Language, facts: &Summary, finding: &Finding) -> String
     match finding.numbers.get("share_yielded_in_shear") {
         Some(share) if *share < SMALL && volume > 0.0 => {
             let volume = format!("{}\u{a0}m³", figures(volume, 3));
+            if finding.numbers.get("share_yielded_in_tension").copied().unwrap_or(0.0) == 0.0 {
+                return say!(
+                    language,
+                    "{name}: yielded in shear in {volume}, {shear} of its volume.",
+                    name = short(&finding.group, NAME),
+                    volume = volume,
+                    shear = percent(*share)
+                );
+            }
             say!(language, "{first} In shear that is {volume}.", first = text, volume = volume)
         }
         _ => text,

@@ -120,3 +120,23 @@ fn a_run_that_is_not_done_says_so_and_is_compared_as_far_as_it_came() {
         assert!(chinese.contains(text), "{text}");
     }
 }
+
+/// A section without resistance uses infinitely much, which is not the same as no result.
+#[test]
+fn an_infinite_utilisation_is_told_and_is_no_dash() {
+    let temp = tempfile::tempdir().unwrap();
+    let all = [f64::INFINITY, 0.75].map(|value| {
+        let root = run(&temp.path().join(format!("to-{value}")), 0.04, 0.01, "a");
+        let at = root.join("summary.json");
+        let mut summary = Summary::read(&at).unwrap();
+        summary.parts.sections.insert("hall.lining".into(), super::sheets::judged(value));
+        summary.write(&at).unwrap();
+        root
+    });
+    let page = page(&all, temp.path());
+    assert_eq!(
+        row(&page, "Utilisation of sections", "hall.<wbr>lining: thrust and moment"),
+        ["∞", "0.750 | –"]
+    );
+    assert_eq!(row(&page, "Utilisation of sections", "hall.<wbr>lining: shear"), ["0.432", "0.432 | ="]);
+}

@@ -273,7 +273,7 @@ fn what_came_out_at_its_place_lies_over_the_record() {
     }
     assert!(!svg.contains("velocity along z"));
     // It is no column of the free field.
-    let section = whole.split_once("<h2>What came in and what the free field made of it</h2>").unwrap().1;
+    let section = whole.split_once("<h2>Incident motion and free field</h2>").unwrap().1;
     let section = section.split_once("</section>").unwrap().0;
     assert!(section.contains("reference") && !section.contains(">record"), "{section}");
 

@@ -1,4 +1,4 @@
-//! What came in and what the free field made of it, from hand-made files.
+//! Incident motion and free field, from hand-made files.
 
 use std::fs;
 use std::path::Path;
@@ -78,7 +78,7 @@ pub fn base(t: f64) -> f64 {
 /// The text of the section alone, with plain blanks.
 fn told(folder: &ResultFolder) -> Option<String> {
     let page = fs::read_to_string(write(folder.root()).unwrap()).unwrap();
-    let (_, from) = page.split_once("<h2>What came in and what the free field made of it</h2>")?;
+    let (_, from) = page.split_once("<h2>Incident motion and free field</h2>")?;
     let text = from.split_once("</section>").unwrap().0.replace(['\u{a0}', '\u{202f}'], " ");
     Some(text.replace("&#x2f;", "/").replace("&#x27;", "'"))
 }

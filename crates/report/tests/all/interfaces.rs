@@ -130,7 +130,7 @@ fn the_map_unrolls_each_lining_and_says_what_is_where() {
             && svg.contains(">end of the lining</text>"),
         "without fields sheets have numbers"
     );
-    for text in ["Left and right are those of who looks along +y", "since nothing slid or opened: fault"] {
+    for text in ["Left and right are as seen along +y", "since nothing slid or opened: fault"] {
         assert!(page.contains(text), "{text}");
     }
 

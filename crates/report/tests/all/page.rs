@@ -196,7 +196,7 @@ fn the_verdict_answers_in_five_lines_with_the_numbers_of_the_summary() {
     assert_eq!(
         lines,
         [
-            "The run is done; 3 of 4 checks pass. Look at the other first: check.",
+            "The run is done; 3 of 4 checks pass. Read the one that warns first: check.",
             "hall.lining: cracked in 12.3 % of its volume, through the thickness at 7 of 96 places; widest crack 0.600 mm.",
             "adit.lining: cracked in 34.5 % of its volume, nowhere through the thickness; widest crack 0.200 mm.",
             "Interface joint: slid over 2.1 % of its area, opened nowhere.",
@@ -209,7 +209,7 @@ fn the_verdict_answers_in_five_lines_with_the_numbers_of_the_summary() {
     summary.soundness.trust[1].pass = false;
     summary.write(&folder.summary()).unwrap();
     let (_, lines) = verdict(&fs::read_to_string(write(folder.root()).unwrap()).unwrap());
-    assert!(lines[0].ends_with("Look at the others first: check; check."), "{}", lines[0]);
+    assert!(lines[0].ends_with("Read those that warn first: check; check."), "{}", lines[0]);
     assert!(lines[1].starts_with("hall.bench1, hall.bench1, hall.benc…"), "{}", lines[1]);
     assert_eq!(lines[2], "rock: yielded in shear in < 0.1 % of its volume.");
     assert!(
@@ -245,7 +245,7 @@ fn the_verdict_says_what_is_not_known() {
     for finding in summary.conclusion.findings.iter_mut() {
         finding.severity = Severity::Undamaged;
     }
-    assert!(answer(&summary).contains("some checks fail"));
+    assert!(answer(&summary).contains("some checks warn"));
     summary = whole;
     summary.conclusion.findings.retain(|finding| !finding.group.ends_with("lining"));
     assert!(answer(&summary).contains("Not judged"));

@@ -203,3 +203,71 @@ fn a_lining_that_cracks_is_not_judged_by_its_utilisation() {
     let found = sheets(&folder, Language::English);
     assert!(!found.contains("Its sections") && found.contains("cross-check"), "{found}");
 }
+
+/// Whoever signs sees by which strengths a lining is judged: factors, that of the earthquake among them, and steel.
+#[test]
+fn the_line_of_sections_has_the_factor_of_the_earthquake_and_the_steel() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.parts.sections.insert("hall.lining".into(), SectionStrength { steel: 4.35e8, ..judged(0.876) });
+    let input = tremolite_results::Input {
+        name: "case".into(),
+        hash: "0123456789abcdef".into(),
+        ..Default::default()
+    };
+    summary.case.inputs.push(input);
+    summary.computed.run.started = "2026-11-26T01:54:06Z".into();
+    summary.write(&folder.summary()).unwrap();
+    let found = sheets(&folder, Language::English);
+    assert!(found.contains("γ_d 1.21, concrete × 1.11 in the earthquake"), "{found}");
+    assert!(found.contains("f_yk 435 MPa"), "{found}");
+    // Which case it was.
+    assert!(found.contains("Case 0123456789ab."), "{found}");
+    // The limit says in which way the section uses most.
+    assert!(row(&found, "Utilisation").contains("in thrust and moment, hall.lining"), "{found}");
+}
+
+/// A width that no eye sees is none that a clause computes.
+#[test]
+fn a_tiny_crack_is_told_by_its_bound() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    let crack = LastingCrack { width: 5.2e-7, station: 3, ..LastingCrack::default() };
+    summary
+        .parts
+        .sections
+        .insert("hall.lining".into(), SectionStrength { crack: Some(crack), ..judged(0.876) });
+    summary.write(&folder.summary()).unwrap();
+    let found = sheets(&folder, Language::English);
+    assert!(row(&found, "Crack width").contains("&lt; 0.01 mm"), "{}", row(&found, "Crack width"));
+}
+
+/// Monitors that came loose do not count, and the sheet says which.
+#[test]
+fn limits_name_the_monitors_that_do_not_count() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.monitors.on_broken_elements.push("B".into());
+    summary.case.report.limits.insert("relative_displacement".into(), 0.02);
+    summary.monitors.relative.insert("A-B".into(), Default::default());
+    summary.write(&folder.summary()).unwrap();
+    let found = sheets(&folder, Language::English);
+    assert!(row(&found, "Displacement of a monitor").contains("not counted, since loose: B"), "{found}");
+    assert!(row(&found, "Relative displacement").contains("A-B: on pieces that came loose"), "{found}");
+}
+
+/// Section forces of wet ground are of total stress, which changes what a lining with pores uses.
+#[test]
+fn wet_section_forces_are_said_to_be_of_total_stress() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = super::stages::example(temp.path(), true);
+    let told = || sheets(&folder, Language::English).contains("Section forces are of total stress");
+    assert!(!told());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.computed.water.insert("pressure".into(), "seepage".into());
+    summary.write(&folder.summary()).unwrap();
+    assert!(told());
+}

@@ -95,7 +95,7 @@ fn one(
         let at_first = beyond_at_first(&asked, plan, found);
         if at_first > 0 {
             out.no_curve_said = said!(
-                "{some} of {all} series of levels are beyond the limit at their first level, and nobody knows how far below: begin lower",
+                "{some} of {all} series of levels are beyond the limit at their first level, and how far below is not known: begin lower",
                 some = at_first.to_string(),
                 all = risen.len().to_string()
             );
@@ -311,7 +311,7 @@ fn in_words(why: NoCurve, unit: &str) -> Said {
         ),
         NoCurve::Falling => {
             said!(
-                "the limit is not exceeded more often at higher intensities: this measure of intensity does not rule it"
+                "the limit is not exceeded more often at higher intensities: this measure of intensity does not govern it"
             )
         }
         NoCurve::TooFew => said!("fewer than two different intensities at which the limit is exceeded"),

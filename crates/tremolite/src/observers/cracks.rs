@@ -15,7 +15,9 @@ const ROLES: [Role; 3] = [Role::TensionDamage, Role::CrackExtent, Role::CrackStr
 ///
 /// The opening is D⁺ ε₁ h with the largest principal strain ε₁ and the extent h across the crack at first damage: of
 /// the stretch ε₁ h of a smeared crack, what the stress that is left, (1 − D⁺)Eε₁, does not explain. Where several
-/// cracks cross an element it is their sum, and of an element that has come loose it means nothing.
+/// cracks cross an element it is their sum, and of an element that has come loose it means nothing. Where a crack turns after the first
+/// damage, h stays: an element of 0.5 × 2 m that cracked along its ring first and then parted parallel to the wall has an opening of up to
+/// four times what its thickness opened by. So the opening is then an upper bound.
 pub struct Cracks {
     schedule: Schedule,
     /// Elements whose law keeps what is asked for, with its columns.

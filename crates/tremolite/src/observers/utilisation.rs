@@ -274,6 +274,7 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
                 grade: by.grade.clone(),
                 compression,
                 tension,
+                steel: f64::NAN,
                 factors: by.factors(),
                 plain_tension: by.rule.tension,
                 yields: groups(model).iter().any(|group| group.name == station.lining),
@@ -282,6 +283,8 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
         });
         of.stations += 1;
         of.reinforced += u64::from(station.still.reinforced());
+        // Of no number and a number the number.
+        of.steel = station.layers.iter().fold(of.steel, |most, layer| most.max(layer.yields));
         let states = states(plan, judged.len(), memory, k);
         of.beyond += u64::from(states.iter().any(|s| s.bending > 1.0 || s.shear > 1.0));
         for state in &states {

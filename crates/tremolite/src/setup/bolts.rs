@@ -181,7 +181,7 @@ fn patterned(
             )
         } else {
             (
-                "no bolts are placed: what is laid bare does not look that way, or is bolted",
+                "no bolts are placed: no exposed face looks that way, or it is bolted already",
                 "take another pattern, or a smaller spacing",
             )
         };

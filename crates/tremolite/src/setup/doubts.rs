@@ -164,7 +164,7 @@ pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
                 wave.duration(),
                 100.0 * share
             ),
-            "leave `duration` out, or cut the motion by `window`, for peaks of what is not run are told as well",
+            "leave `duration` out, or cut the motion by `window`: peaks are reported for the whole motion, the part that is not run included",
         )
     })
 }

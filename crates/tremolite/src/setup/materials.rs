@@ -151,7 +151,10 @@ fn damping(case: &Case, reference: Option<f64>) -> Said {
             high = high.to_string(),
         );
         parts.push(part);
-        parts.extend(reference.map(|f| said!("E is meant at {frequency} Hz", frequency = format!("{f:.2}"))));
+        parts.extend(reference.map(|f| match f {
+            0.0 => said!("E is that of slow loading"),
+            _ => said!("E is meant at {frequency} Hz", frequency = format!("{f:.2}")),
+        }));
     }
     if parts.is_empty() { said!("none") } else { clauses(parts) }
 }

@@ -369,7 +369,7 @@ pub fn warnings(case: &Case) -> Vec<Diagnostic> {
     {
         warnings.push(Diagnostic::at(
             &first.name,
-            "there is no initial stress, so what is excavated lets nothing go",
+            "there is no initial stress, so excavation releases nothing",
             "give [initial] lateral, stress or measured",
         ));
     }

@@ -183,7 +183,7 @@ fn halved_twice(motion: &case::Motion) -> Option<case::Diagnostic> {
         case::Diagnostic::at(
             word,
             format!(
-                "the motion is scaled by {whole}, and half of an outcrop's motion comes in anyway: {} times the record in all",
+                "the motion is scaled by {whole}, and half of an outcrop's motion enters anyway: {} times the record in all",
                 0.5 * whole
             ),
             "if the record is what a surface of the base's rock shows, leave the scale out; if it is halved already, write \

@@ -125,7 +125,7 @@ pub fn warnings(groups: &IndexMap<String, BoltSummary>) -> Vec<(String, String, 
 /// A finding for each group that is there.
 pub fn findings(groups: &IndexMap<String, BoltSummary>) -> Vec<Finding> {
     let there = groups.iter().filter(|(_, group)| group.there && group.bolts > 0);
-    there.map(|(name, group)| finding(name, group, None)).collect()
+    there.map(|(name, group)| finding(name, group, (None, group.bars))).collect()
 }
 
 /// Groups beyond which they are told as one.
@@ -139,7 +139,7 @@ pub fn together(groups: &IndexMap<String, BoltSummary>) -> Option<Finding> {
     }
     let mut all = BoltSummary { yield_force: f64::NAN, ..BoltSummary::default() };
     let (mut over, mut largest): (f64, f64) = (0.0, 0.0);
-    let mut of = String::new();
+    let mut of = (String::new(), false);
     for (name, group) in there() {
         all.bolts += group.bolts;
         all.yielded += group.yielded;
@@ -153,15 +153,16 @@ pub fn together(groups: &IndexMap<String, BoltSummary>) -> Option<Finding> {
         if group.largest.force.abs() > largest.abs() {
             largest = group.largest.force;
             all.largest = group.largest.clone();
-            of = name.clone();
+            of = (name.clone(), group.bars);
         }
     }
     all.force_over_yield = over;
-    Some(finding(&format!("All {} groups of bolts and bars", there().count()), &all, Some(&of)))
+    Some(finding(&format!("All {} groups of bolts and bars", there().count()), &all, (Some(&of.0), of.1)))
 }
 
-/// Of one group, or of several together and the one that the largest force is of: bolts are numbered in their groups.
-fn finding(name: &str, group: &BoltSummary, of: Option<&str>) -> Finding {
+/// Of one group, or of several together and the one that the largest force is of: bolts are numbered in their groups. And whether
+/// that force is one of bars.
+fn finding(name: &str, group: &BoltSummary, of: (Option<&str>, bool)) -> Finding {
     let BoltSummary { bolts, yielded, broken, slid, cut, gone, .. } = *group;
     let severity = match (yielded == 0 && broken == 0 && slid == 0, broken) {
         (true, _) => Severity::Undamaged,
@@ -194,8 +195,8 @@ fn headline(group: &BoltSummary) -> Said {
     let all = bolts.to_string();
     if gone == bolts {
         return match bolts {
-            1 => said!("nothing is left of its one bolt, which excavations took"),
-            _ => said!("nothing is left of its {bolts} bolts, which excavations took", bolts = all),
+            1 => said!("excavations removed its one bolt"),
+            _ => said!("excavations removed all of its {bolts} bolts", bolts = all),
         };
     }
     let (yields, some_yielded, some_broke) = (group.yield_force.is_finite(), yielded > 0, broken > 0);
@@ -231,7 +232,7 @@ fn headline(group: &BoltSummary) -> Said {
     clauses([lost, most])
 }
 
-fn text(group: &BoltSummary, of: Option<&str>) -> Said {
+fn text(group: &BoltSummary, of: (Option<&str>, bool)) -> Said {
     let mut text = Vec::new();
     text.extend((group.largest.bolt > 0).then(|| largest(&group.largest, of)));
     if group.slid > 0 {
@@ -246,20 +247,27 @@ fn text(group: &BoltSummary, of: Option<&str>) -> Said {
         text.push(match group.gone {
             0 => said!("Excavations cut {cut}.", cut = cut),
             gone => {
-                said!("Excavations cut {cut} and left nothing of {gone}.", cut = cut, gone = gone.to_string())
+                said!(
+                    "Excavations cut {cut} and removed {gone} of these.",
+                    cut = cut,
+                    gone = gone.to_string()
+                )
             }
         });
     }
     sentences(text)
 }
 
-/// The largest force, with its bolt, place and time.
-fn largest(peak: &BoltPeak, of: Option<&str>) -> Said {
+/// The largest force, with its bolt or row of bars, place and time.
+fn largest(peak: &BoltPeak, of: (Option<&str>, bool)) -> Said {
     let (force, place) = (signed(peak.force), point(peak.at));
     let number = peak.bolt.to_string();
     let bolt = match of {
-        Some(group) => said!("bolt {bolt} of '{group}'", bolt = number, group = group),
-        None => said!("bolt {bolt}", bolt = number),
+        // Bars are one chain a row of elements.
+        (Some(group), true) => said!("row {row} of the bars '{group}'", row = number, group = group),
+        (None, true) => said!("row {row} of the bars", row = number),
+        (Some(group), false) => said!("bolt {bolt} of '{group}'", bolt = number, group = group),
+        (None, false) => said!("bolt {bolt}", bolt = number),
     };
     match peak.stage.as_str() {
         "" => said!("Largest force {force} in {bolt} at {place}.", force = force, bolt = bolt, place = place),

@@ -145,6 +145,11 @@ fn of_reinforcement_a_finding_says_whether_bars_yielded_and_not_how_many() {
     let mut first = [under(1.64e5); 3];
     let bars = |first| BoltSummary { bars: true, ..told(240, 4e8, first) };
     assert_eq!(said(bars(first)).0, "no bar yielded; largest force 0.82 of yield");
+    let text = said(bars(first)).1;
+    assert_eq!(
+        text,
+        "Largest force 164 kN in row 1 of the bars at (0.0, 0.0, 1.5) m in the stage 'bench 1'."
+    );
     first[1] = SegmentSeen { state: SegmentState::Yielded, plastic_strain: 0.01, ..first[1] };
     assert!(said(bars(first)).0.starts_with("bars yielded, none broke;"));
     // The last groups of a plan are its reinforcement.

@@ -73,8 +73,7 @@ fn slip(evidence: &Evidence) -> TrustLine {
     worst.told(
         line,
         said!(
-            "of any step, over the smallest element that the bolt lies in: a bolt stays in the elements it was cut by and keeps \
-             its direction, so slip must stay small"
+            "of any step, over the smallest element that the bolt lies in: a bolt keeps its direction and stays in the elements that it first crossed, so slip must stay small"
         ),
     )
 }
@@ -98,8 +97,7 @@ fn balance(evidence: &Evidence) -> TrustLine {
     worst.told(
         line,
         said!(
-            "what bonds carried beyond their strength, in any step since the bolt was placed, over the largest force of its group \
-             in any: beyond round-off there was no balance, as where a bolt is drawn out"
+            "force of bonds beyond their strength, in any step since the bolt was placed, over the largest force of its group: above round-off a bolt found no equilibrium, as one that is pulled out"
         ),
     )
 }

@@ -34,7 +34,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
         .with("end", time)
         .with("motion", motion.duration())
         .with_note(said!(
-            "of ∫a² dt, behind {end} s of {whole} s: what comes then has shaken nothing, and the largest values may be still to come",
+            "of ∫a² dt, behind {end} s of {whole} s: the run ends before this motion comes, and the largest values may come with it",
             end = format!("{time:.2}"),
             whole = format!("{:.2}", motion.duration()),
         ))

@@ -66,8 +66,7 @@ fn unstressed(evidence: &Evidence) -> TrustLine {
     let names: Vec<&str> = evidence.model.user_seams().iter().map(|seam| seam.name.as_str()).collect();
     let line = TrustLine::at_most(ID, unstressed_name(), names.len() as f64, 0.0, "");
     line.with_note(said!(
-        "{names}: nothing presses the sides together before the earthquake, and no weight closes them again, so they part and \
-         slide earlier and further than in place; one without a bond is open from the first motion on",
+        "{names}: no initial stress presses the two sides together, so they part and slide earlier and further than they would in the ground; an interface without a bond opens with the first motion",
         names = names.join("; "),
     ))
 }

@@ -28,8 +28,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
         .with("mass", mass)
         .with("frequency", frequency)
         .with_note(said!(
-            "ω/(4πf) with {mass} 1/s and {frequency} Hz, below which half of the input's energy lies: it damps the motion of the ground \
-             as a whole, the more the slower it is; damping over a band takes what rock takes",
+            "ω/(4πf) with {mass} 1/s and {frequency} Hz, below which half of the input's energy lies: it damps the motion of the ground as a whole, slow motion most; damping over a band takes the same share at every frequency of the band",
             mass = mass.to_string(),
             frequency = format!("{frequency:.2}"),
         ))

@@ -78,7 +78,7 @@ pub(crate) fn facts(evidence: &Evidence) -> Vec<Fact> {
         .with("iterations", stable.iterations as f64),
         Fact::new(
             "step_left_by_viscosity",
-            said!("stable step over that without artificial viscosity"),
+            said!("stable step with artificial viscosity over that without"),
             stable.dt / stable.undamped,
             "",
             said!(

@@ -33,8 +33,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
         .with("distance", worst.distance)
         .with("estimate", worst.share())
         .with_note(said!(
-            "largest change by the stages beside {side}, over the mean along the openings before: what does not give there sends it \
-             back, and stresses around the opening are wrong by half of that and more; {distance} m from an opening of {extent} m it is \
+            "largest change that the stages cause beside {side}, over the mean stress along the openings before: a boundary that cannot move holds the ground back, and stresses around the opening are wrong by half of this and more; {distance} m from an opening of {extent} m it is \
              {estimate} % by 1.5 (R/(R + d))²",
             side = worst.name(),
             distance = format!("{:.1}", worst.distance),

@@ -15,7 +15,7 @@ const ID: &str = "peaks_between_rows";
 const JUDGED: [&[&str]; 2] = [&["vx", "vy", "vz"], &["s1_elastic"]];
 
 pub(super) fn line(evidence: &Evidence) -> TrustLine {
-    let name = said!("largest part of a peak missed between rows of the histories");
+    let name = said!("largest share of a peak that the rows of the histories miss");
     let Evidence { plan, outcome, histories, .. } = evidence;
     let (_, loose) = on_broken_elements(evidence);
     let mut worst: Option<(f64, String, f64, f64)> = None;

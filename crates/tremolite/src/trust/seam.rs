@@ -51,8 +51,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
                 "",
             );
             line.with("closure", most).with("limit", limit).with_note(said!(
-                "of all pairs and steps, as the law closes at the largest pressure, over `max_closure`: the joint is nearly shut \
-                 and as stiff as it can be; give a larger one, or a stiffer joint"
+                "of all pairs and steps, by the law at the largest pressure, over `max_closure`: the joint is nearly closed and as stiff as it gets; give a larger one, or a stiffer joint"
             ))
         }
     };
@@ -85,7 +84,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
         .with("gap", totals.largest_gap)
         .with("node", node(at))
         .with_note(said!(
-            "shortest edge of the faces at {pair}; what is so far apart has come loose, and closes on faces that are not its own",
+            "shortest edge of the faces at {pair}; sides so far apart have come loose, and where they close they meet other faces than the model pairs",
             pair = places::pair(&model.mesh, seam, at),
         ));
 
@@ -123,8 +122,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
             .with("impact_gain", gained)
             .with("supplied", supplied)
             .with_note(said!(
-                "largest of all rows; what the explicit step finds (or loses, counted alike) when pairs close and open; a \
-                 smaller `contact_limit` or a larger `contact_damping` lessens it"
+                "largest of all rows: energy that the explicit step creates or loses when pairs close and open; a smaller `contact_limit` or a larger `contact_damping` reduces it"
             )),
         false => TrustLine::not_applicable(impacts_id, impacts_name, said!("there is no earthquake")),
     };
@@ -192,8 +190,7 @@ fn ringing(evidence: &Evidence, number: usize) -> TrustLine {
         .with("counted", counted)
         .with_note(said!(
             "acceleration of its nodes above {corner} Hz, twice the highest frequency that comes in, {above} m/s², over that below, \
-             {below} m/s²; root mean squares over {share} % of area and time: where it slid between sound elements, away from what was open. What slides feeds \
-             such vibrations, and slides further by them: give the interface more `viscosity`",
+             {below} m/s²; root mean squares over {share} % of area and time: where it slid between sound elements, away from what was open. Sliding feeds such vibrations, and they make it slide further: give the interface more `viscosity`",
             corner = format!("{corner:.1}"),
             above = format!("{above:.3}"),
             below = format!("{below:.3}"),
@@ -202,7 +199,7 @@ fn ringing(evidence: &Evidence, number: usize) -> TrustLine {
 }
 
 pub(super) fn ringing_name() -> Said {
-    said!("acceleration at the interface above the input's band over that in the band")
+    said!("ringing of the interface: acceleration above the input's band over that within it")
 }
 
 /// By pair, the shortest edge \[m\] of the faces around it.

@@ -42,7 +42,7 @@ pub fn of_ground(case: &Case, outlook: &Outlook) -> Vec<Diagnostic> {
                 wall.load / wall.strength,
                 pressure(-wall.strength)
             ),
-            "if that is not meant look at cohesion and friction; else have elements small enough there for a zone that yields",
+            "if no yielding is expected, check cohesion and friction; otherwise use elements there that are small enough for a plastic zone",
         ));
     }
     all

@@ -37,10 +37,6 @@ fn warning(case: &Case, near: &NearSide) -> Diagnostic {
             2.0 * near.radius,
             100.0 * near.share()
         ),
-        format!(
-            "leave {:.0} m and more, which make it {:.0} %: {remedy}",
-            near.enough().ceil(),
-            100.0 * MOST
-        ),
+        format!("use at least {:.0} m, which makes it {:.0} %: {remedy}", near.enough().ceil(), 100.0 * MOST),
     )
 }
