@@ -14,6 +14,7 @@ use crate::dynamic::{DYNAMIC, Dynamic};
 use crate::fields::Fields;
 use crate::initial::{INITIAL, Initial};
 use crate::interface::{INTERFACE, Interface};
+use crate::keyed;
 use crate::keys::{Key, Kind, Table};
 use crate::laws::Laws;
 use crate::material::{MATERIAL, Material};
@@ -164,8 +165,10 @@ impl Case {
         let mut checker = Checker::new(&CASE, laws.into(), document.get_ref());
         let written = checker.table(&CASE, Some(&[]), document.get_ref(), document.span(), "");
         let Checker { problems: of_values, mut defaulted, .. } = checker;
+        let places: Vec<_> = of_values.iter().map(|problem| problem.span.clone()).collect();
+        let refused = keyed::paths(&changed.text, &places);
         problems.extend(of_values);
-        let (found, mut warnings) = consistency::check(&written, &Written::of(document.get_ref()));
+        let (found, mut warnings) = consistency::check(&written, &Written::of(document.get_ref(), refused));
         problems.extend(found);
         let case = Case::assemble(path, &changed, &written);
         match case {

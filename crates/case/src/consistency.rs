@@ -10,6 +10,7 @@ use crate::material::VOID;
 use crate::mesh::{Mesh, check_seams};
 use crate::motion::{self, Motion};
 use crate::section::Section;
+use crate::seepage;
 use crate::stage::{Stage, Written};
 use crate::water::Water;
 use crate::{Diagnostic, Spanned, suggest, units};
@@ -46,7 +47,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Diagnostic>, Vec<D
         ));
     }
     Stage::check(case, written, &mut problems);
-    Water::check(case, materials(case), written.stress, &mut problems);
+    Water::check(case, materials(case), written, &mut problems);
     stages(case, &mut problems);
     weights(case, &mut problems);
     reference(case, written, &mut problems);
@@ -60,6 +61,16 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Diagnostic>, Vec<D
     unique(bolts.into_iter().chain(bars).collect(), "bolts", "give each its own name", &mut problems);
     if let Some(output) = case.table("output") {
         unique(output.texts("fields"), "field", "name each field once", &mut problems);
+        if !(seepage::flows(case) || written.is_refused("water")) {
+            let fields = output.texts("fields");
+            warnings.extend(fields.iter().filter(|field| field.value == seepage::FIELD).map(|field| {
+                Diagnostic::at(
+                    field,
+                    "no water flows in this case, so that the field `seepage` is not written",
+                    "write pressure = \"seepage\" in [water], or leave the field out",
+                )
+            }));
+        }
     }
     let base = case.table("dynamic").and_then(|d| d.table("base")).and_then(|b| b.text("kind"));
     if let Some(base) = base

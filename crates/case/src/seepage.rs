@@ -2,6 +2,9 @@
 
 use crate::fields::{Fields, Material};
 use crate::keys::{Key, Kind, Limit, Table, When, words};
+use crate::material::VOID;
+use crate::stage::Written;
+use crate::water::path;
 use crate::{Diagnostic, Spanned};
 use tremolite_laws::parameter::Dimension;
 
@@ -59,8 +62,23 @@ pub(crate) fn heads(f: &Fields) -> Option<Vec<(Spanned<String>, Spanned<f64>)>> 
     f.entries("heads").iter().map(|(name, node)| Some((name.clone(), node.number()?))).collect()
 }
 
+/// The field of results that has the flow.
+pub(crate) const FIELD: &str = "seepage";
+
+/// Whether a case has pressures from seepage.
+pub(crate) fn flows(case: &Fields) -> bool {
+    let pressure = case.table("water").and_then(|water| water.word("pressure", Pressure::from_word));
+    pressure.is_some_and(|pressure| pressure.value == Pressure::Seepage)
+}
+
 /// What has a meaning with seepage alone, or with a level alone, and what seepage needs.
-pub(crate) fn check(case: &Fields, water: &Fields, materials: &[Material], problems: &mut Vec<Diagnostic>) {
+pub(crate) fn check(
+    case: &Fields,
+    water: &Fields,
+    materials: &[Material],
+    written: &Written,
+    problems: &mut Vec<Diagnostic>,
+) {
     let Some(pressure) = water.word("pressure", Pressure::from_word) else { return };
     let stages: Vec<&Fields> = case.tables("stage").filter_map(|stage| stage.table("water")).collect();
     if pressure.value == Pressure::Level {
@@ -83,7 +101,7 @@ pub(crate) fn check(case: &Fields, water: &Fields, materials: &[Material], probl
             "give `heads` in its place: where water comes from",
         )
     }));
-    if water.entries("heads").is_empty() {
+    if water.get("heads").is_none() && !written.is_refused("water") {
         problems.push(Diagnostic::at(
             &pressure,
             "nothing says where the water of the seepage comes from",
@@ -96,7 +114,13 @@ pub(crate) fn check(case: &Fields, water: &Fields, materials: &[Material], probl
         let pores = material.fields.get("water").and_then(|node| node.table());
         pores.is_some_and(|pores| pores.get("permeability").is_some())
     };
-    if !materials.iter().filter(|material| used.contains(&material.name.value)).any(|m| flows(&m)) {
+    let of_regions: Vec<&Material> =
+        materials.iter().filter(|material| used.contains(&material.name.value)).collect();
+    let is_known = |name: &String| name == VOID || materials.iter().any(|m| m.name.value == *name);
+    let is_refused = written.is_refused("region")
+        || !used.iter().all(is_known)
+        || of_regions.iter().any(|material| written.is_refused(&path(material)));
+    if !(is_refused || of_regions.iter().any(flows)) {
         problems.push(Diagnostic::at(
             &pressure,
             "no material of a region has a permeability, so that no water flows",

@@ -196,10 +196,12 @@ pub(crate) struct Written {
     pub bolts: usize,
     /// The frequency at which moduli are meant.
     pub reference: bool,
+    /// Paths of keys and tables that were refused one by one: what follows from them alone is not told beside them.
+    pub refused: Vec<String>,
 }
 
 impl Written {
-    pub fn of(document: &DeTable<'_>) -> Self {
+    pub fn of(document: &DeTable<'_>, refused: Vec<String>) -> Self {
         let table = |value: &DeValue<'_>, keys: &[&str]| {
             value.as_table().is_none_or(|table| keys.iter().any(|key| table.contains_key(*key)))
         };
@@ -225,6 +227,16 @@ impl Written {
                 .get("dynamic")
                 .and_then(|v| v.get_ref().as_table()?.get("damping"))
                 .is_some_and(|v| table(v.get_ref(), &["reference"])),
+            refused,
         }
+    }
+
+    /// Whether something at a path or below it was refused.
+    pub fn is_refused(&self, path: &str) -> bool {
+        let below = |refused: &String| {
+            let rest = refused.strip_prefix(path);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        };
+        self.refused.iter().any(below)
     }
 }

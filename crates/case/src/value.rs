@@ -291,6 +291,9 @@ impl Checker<'_> {
                 format!("a list of {}", a.len())
             }
             (DeValue::Integer(n), Kind::Count(_)) => n.to_string(),
+            (DeValue::Table(t), Kind::Map(..) | Kind::Materials(_)) if t.is_empty() => {
+                "an empty one".to_owned()
+            }
             _ => suggest::found(value).to_owned(),
         };
         let message = format!("should be {}, not {found}", suggest::describe(last(path), kind));

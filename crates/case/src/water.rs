@@ -5,8 +5,10 @@ use std::ops::Range;
 use tremolite_laws::parameter::Dimension;
 
 use crate::fields::{Fields, Material};
+use crate::key_path::below;
 use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::seepage::{self, DRAIN, Drain, HEADS, Pressure, WALLS};
+use crate::stage::Written;
 use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
@@ -221,7 +223,12 @@ impl Water {
     }
 
     /// What lies between keys, and what needs a case with water.
-    pub(crate) fn check(case: &Fields, materials: &[Material], stress: bool, problems: &mut Vec<Diagnostic>) {
+    pub(crate) fn check(
+        case: &Fields,
+        materials: &[Material],
+        written: &Written,
+        problems: &mut Vec<Diagnostic>,
+    ) {
         for pores in materials.iter().filter_map(|m| m.fields.get("water")?.table()) {
             Pores::check(pores, problems);
         }
@@ -232,7 +239,7 @@ impl Water {
             }
             return;
         };
-        seepage::check(case, water, materials, problems);
+        seepage::check(case, water, materials, written, problems);
         if water
             .text("earthquake")
             .is_some_and(|word| Earthquake::from_word(&word.value) == Some(Earthquake::Undrained))
@@ -241,7 +248,8 @@ impl Water {
                 let Some(node) = material.fields.get("water") else { continue };
                 let says =
                     |pores: &Fields| ["porosity", "skempton"].iter().any(|key| pores.get(key).is_some());
-                if node.table().is_some_and(|pores| !says(pores)) {
+                let refused = written.is_refused(&path(material));
+                if node.table().is_some_and(|pores| !says(pores)) && !refused {
                     problems.push(Diagnostic::new(
                         node.span.clone(),
                         "the earthquake is undrained, and nothing says how much water is in these pores",
@@ -250,7 +258,7 @@ impl Water {
                 }
             }
         }
-        if !stress {
+        if !written.stress {
             problems.push(Diagnostic::new(
                 water.span.clone(),
                 "there is water, and no initial stress that goes with it",
@@ -258,6 +266,11 @@ impl Water {
             ));
         }
     }
+}
+
+/// The path of a material's pores.
+pub(crate) fn path(material: &Material) -> String {
+    below(&below("material", &material.name.value), "water")
 }
 
 /// Refuses what says something of water in a case that has none.

@@ -122,7 +122,8 @@ fn pores(model: &Model, patch: &Patch) -> Vec<PoresOf> {
     }
 }
 
-/// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without.
+/// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without. What damps is the
+/// rock's C alone: where water makes the highest mode faster, ω_u for ω_e, it takes 2b ω_u/ω_e².
 fn viscosity(model: &Model, patch: &Patch, geometry: &[Hex8]) -> Vec<f64> {
     if !patch.viscous {
         return Vec::new();
@@ -130,5 +131,10 @@ fn viscosity(model: &Model, patch: &Patch, geometry: &[Hex8]) -> Vec<f64> {
     let body = &model.bodies[patch.body];
     let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, body.quadrature);
     let share = |e: u32| model.elements.viscosity[e as usize];
-    patch.elements.iter().zip(omegas).map(|(&e, omega)| 2.0 * share(e) / omega).collect()
+    if !patch.elements.iter().any(|&e| model.water.undrained(e as usize).is_some()) {
+        return patch.elements.iter().zip(omegas).map(|(&e, omega)| 2.0 * share(e) / omega).collect();
+    }
+    let wet = model.water.frequencies(body, &patch.elements, geometry);
+    let each = patch.elements.iter().zip(omegas.iter().zip(wet));
+    each.map(|(&e, (dry, wet))| 2.0 * share(e) / dry * (wet / dry)).collect()
 }

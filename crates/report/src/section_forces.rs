@@ -57,6 +57,12 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     } else {
         String::new()
     });
+    if !facts.computed.water.is_empty() {
+        text.push_str(&say!(
+            language,
+            " They are of total stress: concrete without pores bears all of it, and a lining with pores has N + p t of effective stress, p in its pores and t thick."
+        ));
+    }
     let mut blocks = vec![Block {
         text,
         tables: vec![table(language, &linings, facts.computed.model.duration)],

@@ -99,7 +99,7 @@ pub(crate) fn outflows(places: &[Place], out: &[f64]) -> Vec<f64> {
         let own = place.nodes.iter().map(|&(n, share)| (n as usize, share));
         own.filter(|&(n, _)| counts(place, n) && shares[n] > 0.0)
             .map(|(n, share)| out[n] * share / shares[n])
-            .sum()
+            .fold(0.0, |sum, q| sum + q)
     };
     places.iter().map(of).collect()
 }

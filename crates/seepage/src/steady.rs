@@ -49,15 +49,34 @@ pub struct Flow {
 /// If the input cannot be, a region is bounded by no place, or the free surface is not found.
 pub fn steady(ground: &Ground, places: &[Place]) -> Result<Flow, SeepageError> {
     check(ground, places)?;
-    let mut search = Search::new(ground, places)?;
+    // Heads go by ratios of permeabilities alone, and products of very small ones are 0 in numbers of the computer.
+    let scale = scale(ground.conductivity);
+    let conductivity: Vec<f64> = ground.conductivity.iter().map(|k| k * scale).collect();
+    let scaled = Ground { conductivity: &conductivity, ..*ground };
+    let mut search = Search::new(&scaled, places)?;
     let mut failed = None;
     for left in LEFT {
         match search.find(left)? {
-            None => return Ok(search.flow(ground, places, left)),
+            None => return Ok(search.flow(&scaled, places, left).over(scale)),
             Some(error) => failed = Some(error),
         }
     }
     Err(failed.unwrap_or(SeepageError::Linear(0)))
+}
+
+/// The power of two that brings the largest conductivity near to 1: by it no number changes but in its exponent.
+fn scale(conductivity: &[f64]) -> f64 {
+    let largest = conductivity.iter().copied().fold(0.0, f64::max);
+    2.0_f64.powi(-largest.log2().floor().clamp(-1000.0, 1000.0) as i32)
+}
+
+impl Flow {
+    /// What flows where every conductivity is so many times less.
+    fn over(mut self, scale: f64) -> Flow {
+        self.velocities.iter_mut().flatten().chain(&mut self.outflows).for_each(|q| *q /= scale);
+        self.inflow /= scale;
+        self
+    }
 }
 
 /// A search for the free surface, and what it has found. Nodes and elements are those that heads reach.
@@ -221,7 +240,7 @@ impl Search {
         let mut heads: Vec<f64> = ground.nodes.iter().map(|x| x[2]).collect();
         for (i, &n) in self.used.iter().enumerate() {
             heads[n as usize] = self.x[i] + self.datum;
-            out[n as usize] = if self.held[i] { -self.flows[i] } else { 0.0 };
+            out[n as usize] = if self.held[i] { 0.0 - self.flows[i] } else { 0.0 };
         }
         let mut velocities = vec![[0.0; 3]; ground.elements.len()];
         for (i, (corners, &e)) in self.elements.iter().zip(&self.wet).enumerate() {
@@ -249,7 +268,8 @@ struct Sums {
 impl Sums {
     fn of(flows: &[f64], held: &[bool]) -> Self {
         let own = || flows.iter().zip(held).filter(|(_, held)| **held).map(|(q, _)| *q);
-        let inflow: f64 = own().filter(|q| *q > 0.0).sum();
+        // Nothing is +0: a sum of no numbers would be −0.
+        let inflow: f64 = own().filter(|q| *q > 0.0).fold(0.0, |sum, q| sum + q);
         let net: f64 = own().sum();
         Sums { inflow, relative: if inflow > 0.0 { net.abs() / inflow } else { 0.0 } }
     }

@@ -251,3 +251,46 @@ fn what_is_allowed_but_hardly_meant_is_a_warning() {
     let text = case.report(case.warnings.clone()).as_warnings().to_string();
     assert!(text.starts_with("warning: ") && text.ends_with("1 warning"), "{text}");
 }
+
+/// What follows from a refused key alone is not told beside it.
+#[test]
+fn one_cause_in_the_water_is_told_once() {
+    let water = "[water]\nlevel = \"3 m\"\npressure = \"seepage\"\nheads = { sides = \"3 m\" }\n[initial]";
+    let pores = "poisson = 0.25\nwater = { permeability = \"1e-7 m/s\" }";
+    let wet = GOOD.replacen("[initial]", water, 1).replacen("poisson = 0.25", pores, 1);
+    assert!(Case::parse(Path::new("case.toml"), &wet, MATERIALS).is_ok());
+    let told = |from: &str, to: &str| -> Vec<String> {
+        assert!(wet.contains(from), "{from}");
+        report(&wet.replacen(from, to, 1)).problems.iter().map(|p| p.message.clone()).collect()
+    };
+    let heads = "heads = { sides = \"3 m\" }";
+    assert_eq!(
+        told(heads, "heads = {}"),
+        ["`heads` should be a table, each value a length, not an empty one"]
+    );
+    for (from, to) in [
+        (heads, "heads = { sides = \"3\" }"),
+        (heads, "heads = \"3 m\""),
+        (heads, "haeds = { sides = \"3 m\" }"),
+        ("\"1e-7 m/s\"", "\"1e-7\""),
+        ("\"1e-7 m/s\"", "\"-1e-7 m/s\""),
+        ("permeability", "permeabilty"),
+        ("{ permeability", "{ biot = 2, permeability"),
+        ("material = \"rock\"", "material = \"rok\""),
+    ] {
+        let found = told(from, to);
+        assert_eq!(found.len(), 1, "{to}: {found:?}");
+    }
+    assert_eq!(told(heads, ""), ["nothing says where the water of the seepage comes from"]);
+    let tight = ["no material of a region has a permeability, so that no water flows"];
+    assert_eq!(told("{ permeability = \"1e-7 m/s\" }", "{ biot = 0.8 }"), tight);
+}
+
+/// A field that nothing writes is told of.
+#[test]
+fn a_field_of_seepage_without_seepage_is_a_warning() {
+    let source = GOOD.replacen("fields = [", "fields = [\"seepage\", ", 1);
+    let case = Case::parse(Path::new("case.toml"), &source, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
+    let [warning] = &case.warnings[..] else { panic!("{:?}", case.warnings) };
+    assert!(warning.message.contains("no water flows") && warning.remedy.contains("seepage"), "{warning:?}");
+}

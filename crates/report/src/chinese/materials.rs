@@ -38,6 +38,16 @@ pub const LAWS: Texts = &[
     ("joint of constant stiffness with bond and Coulomb friction", "常刚度接触面，含粘结与 Coulomb 摩擦"),
     ("joint with a hyperbolic closure, bond and Coulomb friction", "双曲线闭合接触面，含粘结与 Coulomb 摩擦"),
     ("Young's modulus E", "弹性模量 E"),
+    (
+        "share of a pressure all round that water takes where it cannot leave",
+        "Skempton 系数 B：不排水时孔隙水承担的各向等压份额",
+    ),
+    ("K + α²M, with water that cannot leave its pores", "不排水体积模量 K_u = K + α²M"),
+    ("speed of P waves where water was in the pores as the earthquake began", "地震开始时含水处的纵波波速"),
+    (
+        "c_v of the water in its pores: a pressure goes √(c_v T) far in the time T",
+        "孔隙水的固结系数 c_v：孔压在时间 T 内传播 √(c_v T)",
+    ),
     ("Poisson's ratio ν, from 0 up to below 0.5", "泊松比 ν，自 0 至 0.5 以下"),
     (
         "E of the law beside the Maxwell bodies, for slow loading: thresholds f_t/E and limits of size go by it",

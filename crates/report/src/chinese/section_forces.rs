@@ -4,6 +4,10 @@ use super::Texts;
 
 pub const TEXTS: Texts = &[
     ("{lining}: forces along it, and pairs of N and M", "{lining}：沿衬砌的内力及 N、M 组合"),
+    (
+        " They are of total stress: concrete without pores bears all of it, and a lining with pores has N + p t of effective stress, p in its pores and t thick.",
+        "内力按总应力积分：无孔隙的混凝土承担全部内力；有孔隙的衬砌，有效应力的轴力为 N + p t，p 为其孔压，t 为厚度。",
+    ),
     ("N, thrust, tension positive (kN/m)", "轴力 N，受拉为正 (kN/m)"),
     ("M, moment (kN\u{a0}m/m)", "弯矩 M (kN\u{a0}m/m)"),
     ("Q, shear (kN/m)", "剪力 Q (kN/m)"),

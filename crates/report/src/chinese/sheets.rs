@@ -76,8 +76,14 @@ pub const TEXTS: Texts = &[
     ("Water", "地下水"),
     ("still, by a level", "静水位"),
     ("steady seepage", "稳定渗流"),
-    ("drained in the earthquake", "地震中排水"),
-    ("undrained in the earthquake", "地震中不排水"),
+    (
+        "drained in the earthquake; stresses are total, unless called effective",
+        "地震中排水；未注明有效应力者均为总应力",
+    ),
+    (
+        "undrained in the earthquake; stresses are total, unless called effective",
+        "地震中不排水；未注明有效应力者均为总应力",
+    ),
     (
         "Plane waves come in from below; the ground beside the model is that of its sides.",
         "平面地震波自下部入射；模型以外的围岩与其侧面相同。",

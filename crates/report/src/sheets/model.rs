@@ -133,8 +133,10 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
             _ => say!(language, "still, by a level"),
         };
         let then = match earthquake.as_str() {
-            "undrained" => say!(language, "undrained in the earthquake"),
-            _ => say!(language, "drained in the earthquake"),
+            "undrained" => {
+                say!(language, "undrained in the earthquake; stresses are total, unless called effective")
+            }
+            _ => say!(language, "drained in the earthquake; stresses are total, unless called effective"),
         };
         facts.push(card(say!(language, "Water"), from, then));
     }

@@ -99,3 +99,39 @@ fn mirror_image() {
     assert!(apart < 1e-6 * 4.3, "a tenth of what is at rest: {apart}");
     assert!(flow.inflow > 0.0 && flow.heads.iter().any(|h| *h < 7.0));
 }
+
+/// Flow goes by ratios of permeabilities: that of k = 10⁻¹⁶⁰ m/s has the heads of k = 2·10⁻⁶ m/s, and closes as well.
+#[test]
+fn very_small_permeabilities() {
+    let mut made = ring(8);
+    let solve = |made: &Made| {
+        let at = |radius: f64| move |x: [f64; 3]| (x[0].hypot(x[2]) - radius).abs() < 1e-9;
+        let outer = made.place("outer", Holds::Head(300.0), at(50.0));
+        made.solve(&[outer, made.place("wall", Holds::Open(None), at(5.0))]).unwrap()
+    };
+    let usual = solve(&made);
+    for k in [1e-160, 3e-290] {
+        made.conductivity.fill(k);
+        let small = solve(&made);
+        let apart = small.heads.iter().zip(&usual.heads).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-9 && small.mass_error < 1e-9, "{k}: {apart} m, {}", small.mass_error);
+        assert!((small.outflows[1] / k * K / usual.outflows[1] - 1.0).abs() < 1e-9, "{k}");
+    }
+}
+
+/// A wall that takes nothing takes +0.
+#[test]
+fn nothing_has_no_sign() {
+    let made = grid(&even(0.0, 2.0, 2), &even(0.0, 2.0, 2), &even(0.0, 2.0, 2));
+    let places = [
+        made.place("left", Holds::Head(5.0), |x| x[0] == 0.0),
+        made.place("right", Holds::Head(5.0), |x| x[0] == 2.0),
+        made.place("nowhere", Holds::Open(None), |_| false),
+    ];
+    let flow = made.solve(&places).unwrap();
+    assert!(
+        flow.outflows.iter().chain([&flow.inflow]).all(|q| *q == 0.0 && q.is_sign_positive()),
+        "{:?}",
+        flow.outflows
+    );
+}

@@ -81,6 +81,12 @@ pub fn seep(case: &Case, materials: &[usize], space: &Problem) -> Result<Seeped,
             standing.iter().copied().filter(|&e| conductivity[e as usize].is_some()).collect();
         let bounds = Bounds::of(&around, &standing, &ground);
         let placed = bounds.places(case, k, &around, &ground)?;
+        for doubt in placed.warnings {
+            // What holds on is told once.
+            if !seeped.warnings.iter().any(|told| told.span == doubt.span && told.remedy == doubt.remedy) {
+                seeped.warnings.push(doubt);
+            }
+        }
         let asked = Asked { ground, places: placed.places };
         if last.as_ref() == Some(&asked) {
             continue;
@@ -93,7 +99,6 @@ pub fn seep(case: &Case, materials: &[usize], space: &Problem) -> Result<Seeped,
         let flow = steady(&ground, &asked.places)
             .map_err(|error| refused(case, k, space, &asked.ground, &body_of, &error))?;
         let spell = spell(water.unit_weight.value, stage, space, &asked.ground, &joined, &flow);
-        seeped.warnings.extend(placed.warnings);
         seeped.warnings.extend(tied(
             case,
             k,

@@ -284,4 +284,31 @@ fn what_is_doubtful_is_said() {
     let mut tied = HALL.replace(&HALL[tied], "");
     tied.push_str("[[stage]]\nname = \"rise\"\nwater = { heads = { xmin = \"0 m\", xmax = \"0 m\" } }\n");
     assert!(has(&tied, "no water comes between them"));
+    // A head on the walls of the void, which is empty; full, it presses and nothing is to be said.
+    let held = HALL.replace("xmin = \"-5 m\", xmax", "shell = \"-5 m\", xmin = \"-5 m\", xmax");
+    assert!(has(&held, "a void that is empty in stage 'dig'"));
+    assert_eq!(made(&held).said().iter().filter(|one| one.contains("a void that is empty")).count(), 1);
+    let dig = "excavate = [\"core\"]\n";
+    let full = "excavate = [\"core\"]\nwater = { filled = { \"rock\" = \"-5 m\" } }\n";
+    assert!(!has(&held.replace(dig, full), "a void that is empty"));
+    // The rock behind a tight shell has no wall that could be drained.
+    let line = "install = [\"shell\"]\n";
+    let rock = HALL.replace(line, &format!("{line}water = {{ drained = [\"rock\"] }}\n"));
+    assert!(has(&rock, "'rock' drains no wall here") && has(&rock, "such as 'shell'"));
+    let shell = HALL.replace(line, &format!("{line}water = {{ drained = [\"shell\"] }}\n"));
+    assert!(!has(&shell, "drains no wall"));
+}
+
+/// Of two words on one wall the water that fills the void holds: that presses on it, and a drain under water drains nothing.
+#[test]
+fn a_wall_that_is_full_and_drained_is_full() {
+    let dig = |water: &str| {
+        let stage = format!("excavate = [\"core\"]\nwater = {{ {water} }}\n");
+        made(&HALL.replace("excavate = [\"core\"]\n", &stage))
+    };
+    let full = dig("filled = { \"rock\" = \"-15 m\" }");
+    let both = dig("filled = { \"rock\" = \"-15 m\" }, drained = [\"rock\"]");
+    let drained = dig("drained = [\"rock\"]");
+    assert_eq!(p(&both, WALL, 1), p(&full, WALL, 1));
+    assert!(p(&drained, WALL, 1) < 0.5 * p(&full, WALL, 1));
 }

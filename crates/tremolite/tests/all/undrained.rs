@@ -192,3 +192,15 @@ fn an_undrained_earthquake_goes_on_where_it_was_stopped() {
     };
     assert!(tables(&whole).len() > 3 && tables(&whole) == tables(&resumed));
 }
+
+/// Artificial viscosity is a share of critical damping at an element's own highest frequency, that with water: alike elements leave about √(1 + b²) − b of
+/// the step. The mesh's highest mode has a little more shear in it than one element's, which is damped more; against the rock without its
+/// water b would be below 0.1 here.
+#[test]
+fn viscosity_goes_by_the_frequency_with_water() {
+    let wet = GROUND.replace("level = \"-30 m\"", "level = \"0 m\"");
+    let job = job(&wet.replace("element = \"one-point\"", "element = \"one-point\"\nviscosity = 0.2"));
+    let left = tremolite::engine::viscous_share;
+    let share = job.stable.dt / job.stable.undamped;
+    assert!(share > left(0.22) && share < left(0.18), "{share}: {} to {}", left(0.22), left(0.18));
+}

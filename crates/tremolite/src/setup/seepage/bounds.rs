@@ -133,22 +133,33 @@ impl Bounds {
         let mesh = &around.space.mesh;
         let groups = Groups::of(mesh);
         let mut warnings = Vec::new();
-        // Each wall has one word: full of water, or drained.
+        // Each wall has one word: full of water, else a head, else drained.
         let mut drained: BTreeMap<String, Vec<Face>> = BTreeMap::new();
         let mut filled: BTreeMap<usize, Vec<Face>> = BTreeMap::new();
-        let heads: Vec<Vec<Face>> =
+        let mut heads: Vec<Vec<Face>> =
             said.heads.iter().map(|(name, _)| self.head(name, around, &groups)).collect();
         let has_head: HashSet<Face> = heads.iter().flatten().copied().collect();
-        for &face in self.walls.iter().filter(|face| !has_head.contains(face)) {
+        let mut does: HashSet<&str> = HashSet::new();
+        let mut bare: HashSet<Face> = HashSet::new();
+        for &face in &self.walls {
             let (own, beside) = (around.shown[face.element as usize], around.beside(face));
             let is_at = |name: &str| groups.has(name, own) || beside.is_some_and(|e| groups.has(name, e));
-            let full = said.filled.iter().rposition(|(name, _)| is_at(name));
-            if let Some(full) = full {
+            let at = said.drained.into_iter().flatten().filter(|name| is_at(name));
+            let named: Vec<&str> = at.map(|name| name.value.as_str()).collect();
+            let open = said.drained.is_none() || !named.is_empty();
+            does.extend(named);
+            if let Some(full) = said.filled.iter().rposition(|(name, _)| is_at(name)) {
                 filled.entry(full).or_default().push(face);
-            } else if said.drained.is_none_or(|names| names.iter().any(|name| is_at(name))) {
+            } else if has_head.contains(&face) {
+                bare.insert(face);
+            } else if open {
                 drained.entry(wall_name(case, stage, &groups, beside)).or_default().push(face);
             }
         }
+        let full: HashSet<Face> = filled.values().flatten().copied().collect();
+        let given = heads.clone();
+        heads.iter_mut().for_each(|faces| faces.retain(|face| !full.contains(face)));
+        warnings.extend(pressed(case, stage, &said, &heads, &bare, mesh));
         for contact in &self.contacts {
             let tight = around.shown[contact.tight as usize];
             let named = said.drained.and_then(|names| names.iter().find(|name| groups.has(name, tight)));
@@ -159,6 +170,7 @@ impl Bounds {
                 drained.entry(name).or_default().push(contact.face);
             }
         }
+        warnings.extend(self.idle(case, stage, &does, around, &groups));
         let place = |name: &str, holds: Holds, faces: &[Face]| {
             Place::of_faces(name, holds, faces.iter().map(|&face| around.nodes(face)), &mesh.nodes)
         };
@@ -171,10 +183,23 @@ impl Bounds {
         for (k, drain) in said.drains.into_iter().flatten().enumerate() {
             places.push(self.drain(k, drain, around, ground, &groups)?);
         }
-        for ((name, head), faces) in said.heads.into_iter().zip(&heads) {
+        for (((name, head), faces), given) in said.heads.into_iter().zip(&heads).zip(&given) {
+            if faces.is_empty() && !given.is_empty() {
+                // All of it is full of water that a stage gives.
+                continue;
+            }
             let held = place(name, Holds::Head(head.value), faces);
             let reaches = |&(n, _): &(u32, f64)| mesh.nodes[n as usize][2] <= head.value;
-            if !held.nodes.iter().any(reaches) {
+            if faces.is_empty() {
+                warnings.push(Diagnostic::at(
+                    head,
+                    format!(
+                        "the head at '{}' does nothing in stage '{}': the ground has no open face there",
+                        name.value, case.stages[stage - 1].name.value
+                    ),
+                    "give it where ground ends at a void or at an outer plane; behind what is tight there is none",
+                ));
+            } else if !held.nodes.iter().any(reaches) {
                 warnings.push(Diagnostic::at(
                     head,
                     format!(
@@ -206,6 +231,38 @@ impl Bounds {
             places.push(place("top", Holds::Head(level), &self.outer[2][1]));
         }
         Ok(Placed { places, warnings })
+    }
+
+    /// Words of a stage that are to drain walls and drain none, where what is tight hides the ground that they name.
+    fn idle(
+        &self,
+        case: &Case,
+        stage: usize,
+        does: &HashSet<&str>,
+        around: &Around,
+        groups: &Groups,
+    ) -> Vec<Diagnostic> {
+        let drained = case.stages[stage - 1].water.drained.iter().flatten();
+        let idle = drained.filter_map(|name| {
+            let is_tight = |contact: &Contact| groups.has(name, around.shown[contact.tight as usize]);
+            if does.contains(name.value.as_str()) || self.contacts.iter().any(is_tight) {
+                return None;
+            }
+            let hides = |contact: &&Contact| groups.has(name, around.shown[contact.face.element as usize]);
+            let hidden = self.contacts.iter().find(hides)?;
+            let lining = groups.smallest(around.shown[hidden.tight as usize]).unwrap_or_default();
+            Some(Diagnostic::at(
+                name,
+                format!(
+                    "'{}' drains no wall here: what is tight stands before its ground, and closes it",
+                    name.value
+                ),
+                format!(
+                    "name the group of the lining, such as '{lining}': the ground behind it is then drained"
+                ),
+            ))
+        });
+        idle.collect()
     }
 
     /// The faces at which a head is given.
@@ -266,6 +323,35 @@ impl Bounds {
     }
 }
 
+/// Heads above walls of voids that are not full: the water stands in the rock, and presses on nothing.
+fn pressed(
+    case: &Case,
+    stage: usize,
+    said: &Said,
+    heads: &[Vec<Face>],
+    bare: &HashSet<Face>,
+    mesh: &Mesh,
+) -> Vec<Diagnostic> {
+    let each = said.heads.iter().zip(heads);
+    let stands = each.filter(|((_, head), faces)| {
+        let below = |face: &&Face| mesh.face_nodes(**face).any(|n| mesh.nodes[n as usize][2] < head.value);
+        faces.iter().filter(|face| bare.contains(face)).any(|face| below(&face))
+    });
+    let name = &case.stages[stage - 1].name.value;
+    stands
+        .map(|((place, _), _)| {
+            Diagnostic::at(
+                place,
+                format!(
+                    "the head at '{}' holds on walls of a void that is empty in stage '{name}': it lets water in there, and nothing presses on them",
+                    place.value
+                ),
+                format!("fill the void in that stage, water = {{ filled = {{ \"{}\" = … }} }}, or give the head at an outer plane", place.value),
+            )
+        })
+        .collect()
+}
+
 /// What holds in a stage: the last words of it and of those before.
 struct Said<'c> {
     heads: Vec<(&'c Spanned<String>, &'c Spanned<f64>)>,
@@ -320,6 +406,12 @@ impl<'m> Groups<'m> {
         let fitting = self.mesh.groups.iter().filter(|(group, _)| pattern::matches(name, group));
         fitting.into_iter().any(|(_, elements)| elements.binary_search(&element).is_ok())
     }
+
+    /// The smallest group that an element is in.
+    fn smallest(&self, element: u32) -> Option<String> {
+        let own = self.mesh.groups.iter().filter(|(_, elements)| elements.binary_search(&element).is_ok());
+        own.min_by_key(|(_, elements)| elements.len()).map(|(name, _)| name.clone())
+    }
 }
 
 /// What a wall is called: by the words with which what stood there was taken out, else by the smallest group of it.
@@ -327,9 +419,5 @@ fn wall_name(case: &Case, stage: usize, groups: &Groups, beside: Option<u32>) ->
     let Some(beside) = beside else { return "other walls".into() };
     let words = case.stages[..stage].iter().flat_map(|stage| &stage.excavate);
     let word = words.into_iter().find(|word| groups.has(word, beside)).map(|word| word.value.clone());
-    let smallest = || {
-        let own = groups.mesh.groups.iter().filter(|(_, elements)| elements.binary_search(&beside).is_ok());
-        own.min_by_key(|(_, elements)| elements.len()).map(|(name, _)| name.clone())
-    };
-    word.or_else(smallest).unwrap_or_else(|| "other walls".into())
+    word.or_else(|| groups.smallest(beside)).unwrap_or_else(|| "other walls".into())
 }
