@@ -12,8 +12,7 @@ use crate::motion::{self, Motion};
 use crate::section::Section;
 use crate::seepage;
 use crate::stage::{Stage, Written};
-use crate::water::Water;
-use crate::{Diagnostic, Spanned, suggest, units};
+use crate::{Diagnostic, Spanned, suggest, units, wet};
 use tremolite_laws::parameter::Dimension;
 
 /// The materials of a checked case, also those with problems.
@@ -47,7 +46,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Diagnostic>, Vec<D
         ));
     }
     Stage::check(case, written, &mut problems);
-    Water::check(case, materials(case), written, &mut problems);
+    wet::check(case, materials(case), written, &mut problems);
     stages(case, &mut problems);
     weights(case, &mut problems);
     reference(case, written, &mut problems);

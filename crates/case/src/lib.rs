@@ -59,6 +59,7 @@ mod suggest;
 mod syntax;
 mod value;
 mod water;
+mod wet;
 
 pub use bolts::{BoltBond, BoltPattern, BoltPlace, BoltedFaces, Bolts, Plate};
 pub use case::Case;

@@ -4,12 +4,10 @@ use std::ops::Range;
 
 use tremolite_laws::parameter::Dimension;
 
-use crate::fields::{Fields, Material};
-use crate::key_path::below;
+use crate::Spanned;
+use crate::fields::Fields;
 use crate::keys::{Key, Kind, Limit, Table, When, words};
 use crate::seepage::{self, DRAIN, Drain, HEADS, Pressure, WALLS};
-use crate::stage::Written;
-use crate::{Diagnostic, Spanned};
 
 const HEIGHT: Kind = Kind::Number(Dimension::LENGTH, Limit::Any);
 
@@ -221,73 +219,6 @@ impl Water {
             span: f.span.clone(),
         })
     }
-
-    /// What lies between keys, and what needs a case with water.
-    pub(crate) fn check(
-        case: &Fields,
-        materials: &[Material],
-        written: &Written,
-        problems: &mut Vec<Diagnostic>,
-    ) {
-        for pores in materials.iter().filter_map(|m| m.fields.get("water")?.table()) {
-            Pores::check(pores, problems);
-        }
-        let Some(water) = case.table("water") else {
-            // A case with a broken table of water is no case without.
-            if case.get("water").is_none() {
-                without(case, materials, problems);
-            }
-            return;
-        };
-        seepage::check(case, water, materials, written, problems);
-        if water
-            .text("earthquake")
-            .is_some_and(|word| Earthquake::from_word(&word.value) == Some(Earthquake::Undrained))
-        {
-            for material in materials {
-                let Some(node) = material.fields.get("water") else { continue };
-                let says =
-                    |pores: &Fields| ["porosity", "skempton"].iter().any(|key| pores.get(key).is_some());
-                let refused = written.is_refused(&path(material));
-                if node.table().is_some_and(|pores| !says(pores)) && !refused {
-                    problems.push(Diagnostic::new(
-                        node.span.clone(),
-                        "the earthquake is undrained, and nothing says how much water is in these pores",
-                        "give it a `porosity`, or Skempton's coefficient as `skempton`",
-                    ));
-                }
-            }
-        }
-        if !written.stress {
-            problems.push(Diagnostic::new(
-                water.span.clone(),
-                "there is water, and no initial stress that goes with it",
-                "give [initial] lateral, stress or measured: total stresses",
-            ));
-        }
-    }
-}
-
-/// The path of a material's pores.
-pub(crate) fn path(material: &Material) -> String {
-    below(&below("material", &material.name.value), "water")
-}
-
-/// Refuses what says something of water in a case that has none.
-fn without(case: &Fields, materials: &[Material], problems: &mut Vec<Diagnostic>) {
-    let of_initial = case.table("initial").and_then(|initial| initial.get("lateral_of"));
-    let of_materials =
-        materials.iter().filter_map(|m| m.fields.get("water")).filter(|node| node.table().is_some());
-    let of_stages = case.tables("stage").filter_map(|stage| stage.get("water"));
-    let of_interfaces = case.tables("interface").filter_map(|interface| interface.get("water"));
-    let all = of_initial.into_iter().chain(of_materials).chain(of_stages).chain(of_interfaces);
-    problems.extend(all.map(|node| {
-        Diagnostic::new(
-            node.span.clone(),
-            "this has a meaning only where there is water",
-            "add [water] with the `level`, or leave it out",
-        )
-    }));
 }
 
 impl Pores {
@@ -299,25 +230,6 @@ impl Pores {
             permeability: f.number("permeability"),
             saturated_unit_weight: f.number("saturated_unit_weight"),
         })
-    }
-
-    fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
-        if let (Some(biot), Some(porosity)) = (f.number("biot"), f.number("porosity"))
-            && *porosity > *biot
-        {
-            problems.push(Diagnostic::at(
-                &porosity,
-                format!("a porosity of {} is more than Biot's coefficient of {}", *porosity, *biot),
-                "grains would stretch under pressure: give a larger `biot`, or a smaller porosity",
-            ));
-        }
-        if let Some(skempton) = f.number("skempton").filter(|b| **b >= 1.0) {
-            problems.push(Diagnostic::at(
-                &skempton,
-                "with a Skempton's coefficient of 1 nothing would be left of any pressure between grains",
-                "give a value below 1; 0.6 to 0.99 is usual",
-            ));
-        }
     }
 }
 

@@ -36,7 +36,7 @@ fn variants(parameters: &[Parameter], sample: Values) -> Vec<Values> {
     all
 }
 
-/// What laws and parameters are, and what laws make of the parameters of all samples.
+/// What laws and parameters are, what laws make of the parameters of all samples, and what water adds to these.
 fn texts() -> BTreeSet<String> {
     let infos = || MATERIALS.iter().chain(INTERFACES);
     let mut texts: BTreeSet<String> = infos().map(|info| shown(info.summary)).collect();
@@ -51,6 +51,7 @@ fn texts() -> BTreeSet<String> {
             texts.extend(built.flat_map(|law| law.derived([0.2, 1.0])).map(|derived| shown(derived.doc)));
         }
     }
+    texts.extend(tremolite::setup::MEANINGS_OF_WATER.map(str::to_owned));
     texts
 }
 

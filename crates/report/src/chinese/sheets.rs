@@ -53,7 +53,6 @@ pub const TEXTS: Texts = &[
         "内力按总应力计；含孔隙水的衬砌，其有效轴力更偏拉，差值为孔隙水压力乘以厚度。",
     ),
     ("{names}: on pieces that came loose", "{names}：位于已松脱的块体上"),
-    ("{least} to {most}", "{least} ～ {most}"),
     (
         "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE.",
         "未给出验收限值：可在算例的 [report.limits] 中给出，或用命令 report 的选项 --limits 给出文件。",

@@ -40,6 +40,7 @@ pub use inputs::{changed, original_folder};
 pub use memory::Inputs;
 pub use page::limits;
 pub use target::of_case as target_of;
+pub use undrained::MEANINGS as MEANINGS_OF_WATER;
 
 use crate::plan::Plan;
 use crate::quantities::Field;

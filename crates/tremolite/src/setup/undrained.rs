@@ -13,6 +13,13 @@ const STIFFEST_GRAINS: f64 = 60e9;
 
 /// Name of the value c_v of a material, which it has where its permeability is given.
 pub const DIFFUSIVITY: &str = "diffusivity";
+/// What the values of a material say that water in its pores has: B, K_u, the speed of P waves, c_v.
+pub const MEANINGS: [&str; 4] = [
+    "share of a pressure all round that water takes where it cannot leave",
+    "K + α²M, with water that cannot leave its pores",
+    "speed of P waves where water was in the pores as the earthquake began",
+    "c_v of the water in its pores: a pressure goes √(c_v T) far in the time T",
+];
 
 /// Whether water cannot leave its pores in a case's earthquake.
 pub fn is_undrained(case: &Case) -> bool {
@@ -63,22 +70,12 @@ pub fn values(case: &Case, material: &Material, body: &Body) -> Vec<MaterialValu
         .permeability
         .as_ref()
         .map(|k| k.value / weight * undrained.modulus * oedometric(bulk) / oedometric(bulk + stiffened));
-    let meaning = "c_v of the water in its pores: a pressure goes √(c_v T) far in the time T";
-    let diffusivity = evens_out.map(|c| (DIFFUSIVITY, c, "m2/s", meaning));
+    let [of_skempton, of_bulk, of_speed, of_diffusivity] = MEANINGS;
+    let diffusivity = evens_out.map(|c| (DIFFUSIVITY, c, "m2/s", of_diffusivity));
     let all = [
-        (
-            "skempton_coefficient",
-            undrained.skempton,
-            "",
-            "share of a pressure all round that water takes where it cannot leave",
-        ),
-        ("undrained_bulk_modulus", undrained.bulk, "Pa", "K + α²M, with water that cannot leave its pores"),
-        (
-            "undrained_wave_speed_p",
-            speed,
-            "m/s",
-            "speed of P waves where water was in the pores as the earthquake began",
-        ),
+        ("skempton_coefficient", undrained.skempton, "", of_skempton),
+        ("undrained_bulk_modulus", undrained.bulk, "Pa", of_bulk),
+        ("undrained_wave_speed_p", speed, "m/s", of_speed),
     ];
     let value = |(name, value, unit, meaning): (&str, f64, &str, &str)| MaterialValue {
         name: name.into(),

@@ -194,7 +194,7 @@ fn a_group_that_was_excavated_says_so_and_one_that_is_not_there_says_nothing() {
     let cut = SegmentSeen { state: SegmentState::CutOff, ..under(0.0) };
     let group = told(1, 4e8, [cut; 3]);
     assert_eq!((group.cut, group.gone), (1, 1));
-    assert!(said(group).0.starts_with("nothing is left of its one bolt"));
+    assert!(said(group).0.starts_with("excavations removed its one bolt"));
 
     let sets = [set("crown", 2, Stage::Shaking, 4e8), set("empty", 0, Stage::Before(0), 4e8)];
     let look = |_: usize, _: usize| -> Vec<SegmentSeen> { unreachable!("not placed yet") };

@@ -184,7 +184,8 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     // The widest crack of all runs through here, so it is the one that is named, and not the first in the order of elements.
     assert!(cracks.through > 1);
     assert_eq!(cracks.through_at.unwrap().element, widest.element);
-    assert!(told[0].text.starts_with(&format!("Element {} at", widest.element)), "{told:?}");
+    let named = format!("The widest of these cracks is in element {} at", widest.element);
+    assert!(told[0].text.starts_with(&named), "{told:?}");
     assert!(crown.cracks.as_ref().unwrap().opening <= cracks.opening);
 
     // The table over time ends with the shares of the summary, and never falls.
