@@ -4,7 +4,7 @@ use crate::{Error, ResultFolder, replace_file};
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::io::{self, Read};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 const NAME: &str = "SHA256SUMS";
 
@@ -62,10 +62,19 @@ impl ResultFolder {
             text => text.map_err(Error::io(&path, "read this file"))?,
         };
         let found = |line: &str| {
-            let Some((digits, name)) = line.split_once("  ") else {
-                return Some(format!("{}: a line is no checksum with a name: {line:?}", path.display()));
+            // A folder may come from anybody: nothing outside it is read, and nothing that has no end.
+            let inside =
+                |name: &str| Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
+            let Some((digits, name)) = line.split_once("  ").filter(|(_, name)| inside(name)) else {
+                return Some(format!(
+                    "{}: a line is no checksum of a file in this folder: {line:?}",
+                    path.display()
+                ));
             };
             let file = self.root().join(name);
+            if fs::metadata(&file).is_ok_and(|of| !of.is_file()) {
+                return Some(format!("{}: it is no file", file.display()));
+            }
             match hash(&file) {
                 Ok(now) if now == digits => None,
                 Ok(_) => Some(format!("{}: it is not what the run wrote", file.display())),
@@ -105,6 +114,18 @@ mod tests {
         let said = folder.damaged().unwrap().join("\n");
         assert!(said.contains("000000.vtu: it is not what the run wrote"), "{said}");
         assert!(said.contains("energy.csv: the run wrote it, and it is not there any more"), "{said}");
+
+        // Names that lead elsewhere, or to what is no file.
+        let odd = ["/dev/zero", "../own.csv", "fields/../../own.csv", "fields", ""]
+            .map(|name| format!("{NOTHING}  {name}\n"));
+        fs::write(folder.checksums(), odd.concat()).unwrap();
+        let said = folder.damaged().unwrap();
+        assert_eq!(
+            said.iter().filter(|line| line.contains("no checksum of a file in this folder")).count(),
+            3,
+            "{said:?}"
+        );
+        assert_eq!(said.iter().filter(|line| line.ends_with("it is no file")).count(), 2, "{said:?}");
 
         // Of a run that goes on, whose files change.
         fs::create_dir_all(folder.checkpoint()).unwrap();
