@@ -75,7 +75,7 @@ struct Instance<M> {
     values: Values,
 }
 
-impl<M: Material> AnyMaterial for Instance<M> {
+impl<M: Material + 'static> AnyMaterial for Instance<M> {
     fn info(&self) -> LawInfo {
         LawInfo::of::<M>()
     }
@@ -179,7 +179,7 @@ impl<M: Material> AnyMaterial for Instance<M> {
 /// A checked material, or every value that its law refuses.
 pub type Built = Result<Arc<dyn AnyMaterial>, Vec<BadParameter>>;
 
-fn instance<M: Material>(law: M, values: Values) -> Arc<dyn AnyMaterial> {
+fn instance<M: Material + 'static>(law: M, values: Values) -> Arc<dyn AnyMaterial> {
     Arc::new(Instance { own: law.moduli(), law: Arc::new(law), band: None, values })
 }
 
@@ -204,8 +204,8 @@ pub struct Law {
 
 impl Law {
     /// The entry of law `M`, which need not be in the list of the laws crate. Its kernels are compiled where this is
-    /// called, so call it once.
-    pub fn of<M: Material>() -> Self {
+    /// called, so call it once. A law may have up to 64 columns of history.
+    pub fn of<M: Material + 'static>() -> Self {
         Law {
             info: LawInfo::of::<M>(),
             build: |values| Ok(instance(M::new(values)?, values.clone())),

@@ -1,7 +1,7 @@
 //! A patch of hexahedra of one law and one quadrature: the unit of threads and the fused kernel.
 
 #[cfg(target_arch = "x86_64")]
-mod apart;
+mod any;
 mod pass;
 mod pores;
 mod prescribed;

@@ -35,7 +35,13 @@ impl Row {
 
 /// One f64, or [`Lane::WIDTH`] of them in lock-step.
 pub trait Lane:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
 {
     /// Result of a comparison, lane by lane.
     type Mask: Copy;

@@ -198,7 +198,7 @@ pub(crate) const LEAST_HOURGLASS_SHARE: f64 = 0.001;
 /// needs. Every law is in total form: what it must remember (plastic strain, damage, the last strain) is in its history, so
 /// nothing drifts and a checkpoint holds all of it. Laws are isotropic; tensors in a history live in the axes that the
 /// caller passes strains in.
-pub trait Material: Send + Sync + Sized + 'static {
+pub trait Material: Send + Sync + Sized {
     /// The word after `law =` in a case.
     const NAME: &'static str;
     /// One line for `tremolite list materials`.
@@ -224,6 +224,19 @@ pub trait Material: Send + Sync + Sized + 'static {
     const CREATION: Option<usize> = position(Self::HISTORY, Role::Created);
     /// One lane per entry of `HISTORY`.
     type History<L: Lane>: History<L>;
+
+    /// What kernels go by. A law answers with its constants; one that stands for any law ([`Material::History`] as long as the
+    /// longest) with those of the law that it stands for.
+    #[inline(always)]
+    fn facts(&self) -> Facts {
+        Facts {
+            columns: Self::HISTORY.len(),
+            needs_size: Self::NEEDS_SIZE,
+            damages: Self::DAMAGES,
+            dissipation: Self::DISSIPATION,
+            creation: Self::CREATION,
+        }
+    }
 
     /// A checked instance.
     ///
@@ -377,6 +390,17 @@ pub trait Material: Send + Sync + Sized + 'static {
     }
 }
 
+/// What kernels go by of a law, by its constants of the same names.
+#[derive(Clone, Copy, Debug)]
+pub struct Facts {
+    /// Entries of [`Material::HISTORY`].
+    pub columns: usize,
+    pub needs_size: bool,
+    pub damages: bool,
+    pub dissipation: Option<usize>,
+    pub creation: Option<usize>,
+}
+
 /// Answer of [`Material::update_in_place`].
 pub struct InPlace<L> {
     /// \[Pa\]
@@ -388,13 +412,14 @@ pub struct InPlace<L> {
     pub now: L,
 }
 
-/// History of one point from its octets, one a column.
+/// History of one point from its octets, one a column; lanes beyond them stay zero.
 #[inline(always)]
 pub(crate) fn load<L: Lane, H: History<L>>(octets: &[Octet], at: usize) -> H {
     let mut history = H::zero();
     let lanes = history.as_mut();
+    let columns = lanes.len().min(octets.len());
     let mut i = 0;
-    while i < lanes.len() {
+    while i < columns {
         lanes[i] = L::load(&octets[i], at);
         i += 1;
     }
@@ -405,8 +430,9 @@ pub(crate) fn load<L: Lane, H: History<L>>(octets: &[Octet], at: usize) -> H {
 #[inline(always)]
 pub(crate) fn store<L: Lane, H: History<L>>(history: &H, octets: &mut [Octet], at: usize) {
     let lanes = history.as_ref();
+    let columns = lanes.len().min(octets.len());
     let mut i = 0;
-    while i < lanes.len() {
+    while i < columns {
         lanes[i].store(&mut octets[i], at);
         i += 1;
     }

@@ -1,7 +1,7 @@
 //! A pass of a kernel over the octets of a patch, in the instruction set of the machine.
 
 #[cfg(target_arch = "x86_64")]
-use super::apart::Apart;
+use super::any::AnyLaw;
 use super::rule::Rule;
 use super::weakened::Weakened;
 use crate::part::{ElementEnergy, ProbeOut};
@@ -58,7 +58,8 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(
     second: Second<R>,
 ) {
     let rule = pass.rule;
-    let (per_octet, memory) = (rule.points() * M::HISTORY.len(), rule.memory());
+    let facts = law.facts();
+    let (per_octet, memory) = (rule.points() * facts.columns, rule.memory());
     let mut probe = Probe::ZERO;
     let (mut wanted, mut after) = (pass.probe, pass.after);
     for (i, (index, geometry)) in pass.index.iter().zip(pass.geometry).enumerate() {
@@ -96,7 +97,7 @@ unsafe fn octets<L: Lane, R: Rule, M: Material, const PROBE: bool>(
         if let Some(after) = after.as_mut() {
             let factor = after.factor.get(i).copied().unwrap_or(ONE);
             let left = &mut *after.left;
-            if !M::DAMAGES {
+            if !facts.damages {
                 for point in left.chunks_exact_mut(LEFT) {
                     point.copy_from_slice(&whole(factor));
                 }
@@ -221,7 +222,7 @@ pub(super) fn dispatch_rare<R: Rule, M: Material, const PROBE: bool>(isa: Isa, l
 /// A pass in one lane.
 fn reference<R: Rule, M: Material, const PROBE: bool>(law: &M, pass: Pass<R>) {
     #[cfg(target_arch = "x86_64")]
-    apart(law, pass);
+    apart(&AnyLaw::of(law), pass);
     // SAFETY: `Solid::new` checked all indices.
     #[cfg(not(target_arch = "x86_64"))]
     unsafe {
@@ -229,13 +230,13 @@ fn reference<R: Rule, M: Material, const PROBE: bool>(law: &M, pass: Pass<R>) {
     }
 }
 
-/// Where there are instruction sets one lane is there to compare with and for old machines: one instance, of a law [`Apart`], which
-/// probes whether that is wanted or not, is enough.
+/// Where there are instruction sets one lane is there to compare with and for old machines: one instance of each quadrature, for
+/// [`AnyLaw`] law, which probes whether that is wanted or not, is enough.
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
-fn apart<R: Rule, M: Material>(law: &M, pass: Pass<R>) {
+fn apart<R: Rule>(law: &AnyLaw, pass: Pass<R>) {
     // SAFETY: `Solid::new` checked all indices.
-    unsafe { octets::<f64, R, Apart<M>, true>(Apart::of(law), pass, R::weakened::<f64>) }
+    unsafe { octets::<f64, R, AnyLaw, true>(law, pass, R::weakened::<f64>) }
 }
 
 /// Runs a product of the elasticity that is left at the points of each octet ([`LEFT`] octets each, the same for all octets), times

@@ -53,7 +53,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// # Safety
 /// Lanes with this type are named only in functions that enable the lanes' instruction set and what is inlined into them,
 /// and these functions are called only where the processor has it.
-pub unsafe trait Enabled: Copy {}
+pub unsafe trait Enabled: Copy + 'static {}
 
 /// Four lanes in one 256-bit register.
 #[derive(Clone, Copy)]

@@ -94,7 +94,8 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
     out: &mut [Row],
     probe: &mut Probe,
 ) {
-    let columns = M::HISTORY.len();
+    let facts = material.facts();
+    let columns = facts.columns;
     let field = geometry.field();
     let mut nodal = [[Octet::ZERO; 3]; 8];
     let mut at = 0;
@@ -112,7 +113,7 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
 
         // The law at the eight points; strains make room for weighted stresses.
         let mut lane_point = Point::<L>::splat(point);
-        if M::NEEDS_SIZE {
+        if facts.needs_size {
             lane_point.size = field.size(&given, at);
         }
         let mut energy = L::splat(0.0);
@@ -124,7 +125,7 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
             let strain: Sym<L> = [e[0][p], e[1][p], e[2][p], e[3][p], e[4][p], e[5][p]];
             let own = &mut history[p * columns..(p + 1) * columns];
             let answer = material.update_in_place(&lane_point, strain, own, at);
-            if M::DAMAGES && !left.is_empty() {
+            if facts.damages && !left.is_empty() {
                 super::keep_left(&answer.left, &mut left[p * LEFT..], at);
             }
             let of_law = answer.stress;
@@ -133,7 +134,7 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
             let mut held = L::splat(0.0);
             if let Some(band) = band {
                 let memory = &mut overstress[p * MEMORY..(p + 1) * MEMORY];
-                if M::DAMAGES && !is_moved_known && band.asks(answer.before, answer.now) {
+                if facts.damages && !is_moved_known && band.asks(answer.before, answer.now) {
                     // SAFETY: passed on to the caller.
                     moved = unsafe { has_moved(field, index, given.moved, at) };
                     G::Field::to_points(&mut moved);
@@ -156,8 +157,8 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
                 let new: M::History<L> = load(own, at);
                 let stored = material.stored_energy(&strain, &of_law, &new) + held;
                 energy = weight.mul_add(stored, energy);
-                dissipated = weight.mul_add(super::booked(&new, M::DISSIPATION), dissipated);
-                created = weight.mul_add(super::booked(&new, M::CREATION), created);
+                dissipated = weight.mul_add(super::booked(&new, facts.dissipation), dissipated);
+                created = weight.mul_add(super::booked(&new, facts.creation), created);
                 let stress = field.global(&stress, at);
                 let mut c = 0;
                 while c < 6 {

@@ -119,7 +119,8 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
     out: &mut [Row],
     probe: &mut Probe,
 ) {
-    let columns = M::HISTORY.len();
+    let facts = material.facts();
+    let columns = facts.columns;
     let field = geometry.field();
     let mut nodal = [[Octet::ZERO; 3]; 8];
     let mut at = 0;
@@ -142,7 +143,7 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
             None => None,
         };
         let mut lane_point = Point::<L>::splat(point);
-        if M::NEEDS_SIZE {
+        if facts.needs_size {
             lane_point.size = field.size(&given, at);
         }
         let mut sums = [[zero; 8]; 6];
@@ -162,7 +163,7 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
                 let strain = of_point(&values, q);
                 let own = &mut history[p * columns..(p + 1) * columns];
                 let answer = material.update_in_place(&lane_point, strain, own, at);
-                if M::DAMAGES && !left.is_empty() {
+                if facts.damages && !left.is_empty() {
                     super::keep_left(&answer.left, &mut left[p * LEFT..], at);
                 }
                 weight[q] = geometry.weight(through, layer, q, at);
@@ -186,8 +187,8 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
                         stored = stored + bodies::held(step, &strain, overstress, zeta, q, answer.now, at);
                     }
                     energy = weight[q].mul_add(stored, energy);
-                    dissipated = weight[q].mul_add(super::booked(&new, M::DISSIPATION), dissipated);
-                    created = weight[q].mul_add(super::booked(&new, M::CREATION), created);
+                    dissipated = weight[q].mul_add(super::booked(&new, facts.dissipation), dissipated);
+                    created = weight[q].mul_add(super::booked(&new, facts.creation), created);
                     let stress = field.global(&stress, at);
                     let mut c = 0;
                     while c < 6 {
@@ -197,7 +198,7 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
                 }
                 q += 1;
             }
-            if M::DAMAGES
+            if facts.damages
                 && let Some((step, bodies)) = &mut band
             {
                 let least = now[0].smaller(now[1]).smaller(now[2].smaller(now[3]));

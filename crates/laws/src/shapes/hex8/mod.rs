@@ -257,7 +257,7 @@ unsafe fn scatter_nodal<L: Lane>(out: &mut [Row], index: &[[u16; 8]; 8], nodal: 
 /// Share of the bodies of a band that the state has left.
 #[inline(always)]
 fn unbroken<L: Lane, M: Material>(material: &M, history: &M::History<L>) -> L {
-    if M::DAMAGES { material.unbroken(history) } else { L::splat(1.0) }
+    if material.facts().damages { material.unbroken(history) } else { L::splat(1.0) }
 }
 
 /// The law's answer; what is left of stresses that go by the rate is put into `left`, if there is room for it.
@@ -270,7 +270,7 @@ fn answer<L: Lane, M: Material>(
     left: &mut [Octet],
     at: usize,
 ) -> (Sym<L>, M::History<L>) {
-    if !M::DAMAGES {
+    if !material.facts().damages {
         return material.update(point, strain, old);
     }
     let (stress, new, integrity) = material.update_left(point, strain, old);

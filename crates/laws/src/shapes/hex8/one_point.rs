@@ -165,6 +165,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
     out: &mut [Row],
     probe: &mut Probe,
 ) {
+    let facts = material.facts();
     let mut nodal = [[Octet::ZERO; 3]; 8];
     let mut at = 0;
     while at < 8 {
@@ -181,7 +182,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
         }
         super::add_initial(&mut strain, given.strain, at);
         let mut lane_point = Point::<L>::splat(point);
-        if M::NEEDS_SIZE {
+        if facts.needs_size {
             lane_point.size = geometry.size(&given, at);
         }
         let old: M::History<L> = load(history, at);
@@ -192,7 +193,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
             let (before, now) = (super::unbroken(material, &old), super::unbroken(material, &new));
             let memory = &mut overstress[..MEMORY];
             let mut moved = [L::splat(0.0); 6];
-            if M::DAMAGES && band.asks(before, now) && !given.moved.is_empty() {
+            if facts.damages && band.asks(before, now) && !given.moved.is_empty() {
                 // SAFETY: passed on to the caller.
                 let modes = unsafe { gather_modes::<L>(given.moved, index, at) };
                 (moved, _) = geometry.strain::<L>(&modes, at);
@@ -217,7 +218,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
 
         // What the hourglass modes lose of their energy with their stiffness is dissipated.
         let before = material.hourglass_share(&old);
-        if let Some(k) = M::DISSIPATION
+        if let Some(k) = facts.dissipation
             && L::any(share.less(before))
         {
             let lost = hourglass_energy(&p, &s) * (before / share - L::splat(1.0)) / volume;
@@ -239,8 +240,8 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
             }
             energy.store(&mut probe.strain_energy, at);
             hourglass_energy(&p, &s).store(&mut probe.hourglass_energy, at);
-            (volume * super::booked(&new, M::DISSIPATION)).store(&mut probe.dissipated, at);
-            (volume * super::booked(&new, M::CREATION)).store(&mut probe.created, at);
+            (volume * super::booked(&new, facts.dissipation)).store(&mut probe.dissipated, at);
+            (volume * super::booked(&new, facts.creation)).store(&mut probe.created, at);
         }
 
         // A closure would be a function of its own wherever it is not inlined.
