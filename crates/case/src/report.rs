@@ -139,7 +139,10 @@ impl Report {
             let mark = AnnotationKind::Primary.span(self.clamp(&problem.span));
             group = group.element(Snippet::source(self.source.as_str()).path(file.as_str()).annotation(mark));
         }
-        let remedy = Group::with_title(Level::HELP.secondary_title(problem.remedy.as_str()));
+        // Titles and sources are made printable by the renderer, but not these; and what is written is told in them.
+        let printable = |c: char| if c.is_control() && c != '\n' { '\u{fffd}' } else { c };
+        let remedy: String = problem.remedy.chars().map(printable).collect();
+        let remedy = Group::with_title(Level::HELP.secondary_title(remedy));
         renderer.render(&[group, remedy])
     }
 

@@ -10,6 +10,7 @@ mod circles;
 mod commands;
 mod corners;
 mod every_law;
+mod fuzzed;
 mod interfaces;
 mod law;
 mod law_figures;
