@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod bad_input;
 mod boundary_figures;
 mod check;
 mod checks;
