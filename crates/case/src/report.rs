@@ -143,7 +143,8 @@ impl Report {
         let printable = |c: char| if c.is_control() && c != '\n' { '\u{fffd}' } else { c };
         let remedy: String = problem.remedy.chars().map(printable).collect();
         let remedy = Group::with_title(Level::HELP.secondary_title(remedy));
-        renderer.render(&[group, remedy])
+        // It leaves what 8-bit terminals take for the beginning of a command.
+        renderer.render(&[group, remedy]).replace(|c| ('\u{80}'..='\u{9f}').contains(&c), "\u{fffd}")
     }
 
     /// The span cut to the text, to whole characters and to one line, so that any span can be shown.

@@ -8,14 +8,14 @@ const SOUND: &str = include_str!("../../../../../cases/laws/concrete.toml");
 
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
-    row("[material]", "[materials]", 2, "", ""),
+    row("[material]", "[materials]", 1, "there is no material and no interface", "write [material] or [interface]"),
     row("law = \"concrete-damage\"", "law = \"concrete-damge\"", 3, "`law` cannot be \"concrete-damge\"", "did you mean \"concrete-damage\"?"),
     row("young = \"25 GPa\"", "young = \"25 kN/m3\"", 4, "a stress or modulus is expected", "such as \"10 GPa\""),
     row("young = \"25 GPa\"", "young = \"0 GPa\"", 4, "`young` must be positive", "is usual"),
     row("poisson = 0.17", "poisson = 0.5", 5, "`poisson` must be at least 0 and below 0.5", "0.15 to 0.35 is usual"),
     row("tensile_strength = \"1.2 MPa\"", "tensile_strength = \"1.2 MPa\"\ngrade = \"C1\"", 7, "`grade` cannot be \"C1\"", "C25/30"),
-    row("friction_angle = \"46 deg\"", "friction_angle = \"46 rad\"", 8, "`friction_angle` must be from 0 to 89.9 deg", "write the unit"),
-    row("residual_tension = 0.1", "residual_tension = 0", 11, "`residual_tension` must be", ""),
+    row("friction_angle = \"46 deg\"", "friction_angle = \"46 rad\"", 8, "`friction_angle` must be from 0 to 89.9 deg", "give a value in that range"),
+    row("residual_tension = 0.1", "residual_tension = 0", 11, "`residual_tension` must be above 0 and at most 1", "give a value in that range"),
     row("ultimate_strain_ratio = 10.0", "ultimate_strain_ratio = 1", 13, "`ultimate_strain_ratio` must be above 1", "10 is usual"),
     row("rate = \"none\"", "rate = \"mc1990\"", 14, "`rate` cannot be \"mc1990\"", "mc90"),
 ];
