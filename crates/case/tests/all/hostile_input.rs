@@ -37,7 +37,7 @@ fn survive(source: &str) {
 /// A terminal takes them for commands. The remedy named a key that was not in quotes as it stood.
 #[test]
 fn control_characters_of_a_case_are_not_shown() {
-    for text in ["young \u{1d} = 1", "\u{1b}[31m = 1", "title = \"\u{7}\"", "\u{9b}x = 1", "[\u{1b}]"] {
+    for text in ["a = \u{1d}", "\u{1b}[31m = 1", "title = \"\u{7}\"", "\u{9b}x = 1", "[\u{1b}]"] {
         survive(text);
     }
 }
