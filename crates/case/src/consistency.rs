@@ -12,6 +12,7 @@ use crate::motion::{self, Motion};
 use crate::section::Section;
 use crate::seepage;
 use crate::stage::{Stage, Written};
+use crate::value::{NO_FORMULA, begins_a_formula};
 use crate::{Diagnostic, Spanned, suggest, units, wet};
 use tremolite_laws::parameter::Dimension;
 
@@ -138,7 +139,10 @@ fn unknown_material(name: &Spanned<String>, materials: &[Material], or: &str) ->
 }
 
 fn stages(case: &Fields, problems: &mut Vec<Diagnostic>) {
-    let names = case.tables("stage").filter_map(|s| s.text("name")).collect();
+    let names: Vec<Spanned<String>> = case.tables("stage").filter_map(|s| s.text("name")).collect();
+    for name in names.iter().filter(|name| begins_a_formula(&name.value)) {
+        problems.push(Diagnostic::at(name, format!("no stage can be called `{}`", name.value), NO_FORMULA));
+    }
     unique(names, "stage", "give each stage its own name", problems);
     for stage in case.tables("stage") {
         // Rock may go out and lining of the same group in, in one stage.

@@ -132,10 +132,9 @@ impl Checker<'_> {
                 return None;
             }
             [(_, None), (_, None)] => {
-                if self.problems.is_empty() {
-                    let remedy = "write [material] or [interface] and the keys of its law";
-                    self.problem(span, "there is no material and no interface", remedy);
-                }
+                // Also beside a key that is none: `[materials]` may be meant for one.
+                let remedy = "write [material] or [interface] and the keys of its law";
+                self.problem(span, "there is no material and no interface", remedy);
                 return None;
             }
         };

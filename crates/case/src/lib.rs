@@ -95,4 +95,5 @@ pub use seepage::{Drain, Pressure};
 pub use spanned::Spanned;
 pub use stage::{Displacement, Moved, Stage};
 pub use suggest::nearest;
+pub use value::{NO_FORMULA, begins_a_formula};
 pub use water::{Earthquake, LateralOf, MaterialWater, Pores, StageWater, Water};

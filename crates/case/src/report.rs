@@ -139,8 +139,12 @@ impl Report {
             let mark = AnnotationKind::Primary.span(self.clamp(&problem.span));
             group = group.element(Snippet::source(self.source.as_str()).path(file.as_str()).annotation(mark));
         }
-        let remedy = Group::with_title(Level::HELP.secondary_title(problem.remedy.as_str()));
-        renderer.render(&[group, remedy])
+        // Titles and sources are made printable by the renderer, but not these; and what is written is told in them.
+        let printable = |c: char| if c.is_control() && c != '\n' { '\u{fffd}' } else { c };
+        let remedy: String = problem.remedy.chars().map(printable).collect();
+        let remedy = Group::with_title(Level::HELP.secondary_title(remedy));
+        // It leaves what 8-bit terminals take for the beginning of a command.
+        renderer.render(&[group, remedy]).replace(|c| ('\u{80}'..='\u{9f}').contains(&c), "\u{fffd}")
     }
 
     /// The span cut to the text, to whole characters and to one line, so that any span can be shown.

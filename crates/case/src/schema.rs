@@ -112,7 +112,7 @@ fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
         Kind::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
         Kind::Text => json!({ "type": "string", "minLength": 1 }),
         Kind::Flag => json!({ "type": "boolean" }),
-        Kind::Name => json!({ "type": "string", "pattern": r#"^[^\s.,\[\]*?"']+$"# }),
+        Kind::Name => json!({ "type": "string", "pattern": r#"^[^\s.,\[\]*?"'=+@-][^\s.,\[\]*?"']*$"# }),
         Kind::Unit(dimension) => {
             let like = units::example(key, *dimension);
             let unit = like.split_once(' ').map_or("", |(_, unit)| unit);

@@ -13,6 +13,14 @@ use crate::keys::{Key, Kind, Limit};
 use crate::law_key::{self, COLUMNS};
 use crate::{Spanned, key_path, suggest, units};
 
+/// What to do about a name that [`begins_a_formula`].
+pub const NO_FORMULA: &str = "names stand in tables, where spreadsheets take = + - @ at the beginning for a formula: begin with another character";
+
+/// Whether a spreadsheet computes what begins so, in place of showing it.
+pub fn begins_a_formula(text: &str) -> bool {
+    text.starts_with(['=', '+', '-', '@'])
+}
+
 impl Checker<'_> {
     /// Checks a value; nothing if it is refused, and then the problem is kept.
     pub(crate) fn value(
@@ -32,7 +40,7 @@ impl Checker<'_> {
                     _ => return self.wrong(kind, value, &span, path),
                 }
             }
-            (Kind::Text, DeValue::String(text)) if !text.trim().is_empty() => Item::Text(text.to_string()),
+            (Kind::Text, DeValue::String(text)) if !text.trim().is_empty() => self.text(text, &span, path)?,
             (Kind::Flag, DeValue::Boolean(flag)) => Item::Flag(*flag),
             (Kind::Name, DeValue::String(text)) => self.name(text, &span, path)?,
             (Kind::Unit(dimension), DeValue::String(text)) => match units::parse_unit(text, *dimension) {
@@ -225,6 +233,15 @@ impl Checker<'_> {
         self.refuse(span, path, &message, &remedy)
     }
 
+    /// A text that a terminal, a log and a page may show as it is.
+    fn text(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
+        if text.contains(char::is_control) {
+            let remedy = "write it on one line, without tabs and other characters that do not print";
+            return self.refuse(span, path, "has a control character in it", remedy);
+        }
+        Some(Item::Text(text.to_owned()))
+    }
+
     fn name(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
         let forbidden = |c: char| c.is_whitespace() || c.is_control() || ".,[]*?\"'".contains(c);
         if text.is_empty() || text.contains(forbidden) {
@@ -234,6 +251,9 @@ impl Checker<'_> {
                 "cannot be used as a name",
                 "names stand in headers and patterns: no blanks or quotes, and none of . , [ ] * ?",
             );
+        }
+        if begins_a_formula(text) {
+            return self.refuse(span, path, "cannot be used as a name", NO_FORMULA);
         }
         Some(Item::Text(text.to_owned()))
     }

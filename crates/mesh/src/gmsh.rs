@@ -31,7 +31,7 @@ pub(crate) const FORMAT: Format =
     Format { name: "Gmsh MSH 4.1 or 2 (ASCII or binary)", recognises: is_msh, parse };
 
 /// What to do about a file of another version.
-const EXPORT: &str = "export it as MSH 4.1 (in Gmsh: File > Export, .msh, `Version 4 ASCII`; or \
+const EXPORT: &str = "export it as MSH 4.1 (in Gmsh: File > Export, .msh, `Version 4 ASCII`, or by \
                       `gmsh FILE -save -format msh41 -o NEW.msh`)";
 const PARTITIONED: &str =
     "the mesh is partitioned; remove the partition (in Gmsh: Mesh > Unpartition) and save again";

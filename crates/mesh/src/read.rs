@@ -1,7 +1,7 @@
 //! The front door for mesh files: the format is recognised by content, not by the file's name.
 
 use std::fs::File;
-use std::io;
+use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 
 use crate::Mesh;
@@ -63,7 +63,23 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError> {
 pub fn read_with_notes(path: impl AsRef<Path>) -> Result<(Mesh, Vec<Note>), ReadError> {
     let path = path.as_ref();
     let file = File::open(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
-    let mut input = Input::new(file);
+    read_from(path, Input::new(file))
+}
+
+/// As [`read_with_notes`], from content already in memory; `path` serves for messages, and for files that the content refers to.
+///
+/// # Errors
+/// [`ReadError::Unknown`], [`ReadError::Line`], [`ReadError::File`].
+pub fn read_bytes(path: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<Note>), ReadError> {
+    read_from(path, Input::new(Cursor::new(bytes)))
+}
+
+/// The format that content which begins so is read as.
+pub fn recognised(head: &[u8]) -> Option<&'static Format> {
+    FORMATS.iter().find(|format| (format.recognises)(head))
+}
+
+fn read_from(path: &Path, mut input: Input) -> Result<(Mesh, Vec<Note>), ReadError> {
     let place = |Fault { file, line, problem }| {
         let path = file.unwrap_or_else(|| path.to_owned());
         match line {
@@ -72,7 +88,7 @@ pub fn read_with_notes(path: impl AsRef<Path>) -> Result<(Mesh, Vec<Note>), Read
         }
     };
     let head = input.head().map_err(place)?;
-    let Some(format) = FORMATS.iter().find(|f| (f.recognises)(head)) else {
+    let Some(format) = recognised(head) else {
         return Err(ReadError::Unknown { path: path.to_owned() });
     };
     (format.parse)(&mut input, path).map_err(place)

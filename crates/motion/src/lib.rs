@@ -77,7 +77,7 @@ pub use motion::{Motion, Sample};
 pub use orientation::Orientation;
 pub use process::{MATCHED, Process, lowest_lowpass, process, process_towards};
 pub use pulse::{Scalar, ricker_velocity};
-pub use read::{FORMATS, Format, ReadOptions, TextColumn, read, read_bytes};
+pub use read::{FORMATS, Format, ReadOptions, TextColumn, read, read_bytes, recognised};
 pub use realfft::num_complex::Complex64;
 pub use select::{Candidate, select};
 pub use sensitivity::Sensitivity;

@@ -128,7 +128,7 @@ pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Ve
     }
     let text = String::from_utf8_lossy(bytes);
     let source = Source::new(path, bytes, &text);
-    let Some(format) = FORMATS.iter().find(|f| (f.recognises)(&source)) else {
+    let Some(format) = of(&source) else {
         return Err(source.error(0, "the format is not known", "convert the record to two columns of text"));
     };
     if options.columns.is_some() && format.name != COLUMNS {
@@ -141,4 +141,15 @@ pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Ve
     let mut channels = (format.read)(&source, options)?;
     channels.iter_mut().for_each(|channel| channel.format = format.name);
     Ok(channels)
+}
+
+/// The format that content is read as; none where it cannot be unpacked.
+pub fn recognised(bytes: &[u8]) -> Option<&'static Format> {
+    let path = Path::new("");
+    let bytes = packing::unpacked(path, bytes, LARGEST).ok()?;
+    of(&Source::new(path, &bytes, &String::from_utf8_lossy(&bytes)))
+}
+
+fn of(source: &Source) -> Option<&'static Format> {
+    FORMATS.iter().find(|format| (format.recognises)(source))
 }

@@ -1,10 +1,11 @@
 //! `SHA256SUMS`: what a run that ended wrote, file by file, so that damage done later is found; `sha256sum -c SHA256SUMS` reads it as well.
 
+use crate::folder::is_inside;
 use crate::{Error, ResultFolder, replace_file};
 use sha2::{Digest, Sha256};
 use std::fs;
 use std::io::{self, Read};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 const NAME: &str = "SHA256SUMS";
 
@@ -63,9 +64,7 @@ impl ResultFolder {
         };
         let found = |line: &str| {
             // A folder may come from anybody: nothing outside it is read, and nothing that has no end.
-            let inside =
-                |name: &str| Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
-            let Some((digits, name)) = line.split_once("  ").filter(|(_, name)| inside(name)) else {
+            let Some((digits, name)) = line.split_once("  ").filter(|(_, name)| is_inside(name)) else {
                 return Some(format!(
                     "{}: a line is no checksum of a file in this folder: {line:?}",
                     path.display()

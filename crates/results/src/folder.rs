@@ -3,7 +3,7 @@
 
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use crate::{Error, columns};
@@ -17,6 +17,11 @@ pub const CHECKPOINTS: [&str; 2] = ["state.bin", "state.earlier.bin"];
 /// well keep the case in the folder that is to hold its results.
 const MARKS: [&str; 7] =
     ["log.txt", "summary.json", "monitors.csv", "energy.csv", "damage.csv", "fields.pvd", "checkpoint"];
+
+/// Whether a path that a file of a result folder names lies in that folder.
+pub(crate) fn is_inside(name: &str) -> bool {
+    Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
+}
 
 /// The folder that holds the results of one run.
 ///

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::folder::is_inside;
 use crate::{Error, number, replace_file};
 
 /// One line of the collection.
@@ -49,7 +50,7 @@ impl Pvd {
     /// Reads a collection, ours or another program's.
     ///
     /// # Errors
-    /// [`Error::Io`]; [`Error::Format`] if it is not XML or a data set lacks its time or file.
+    /// [`Error::Io`]; [`Error::Format`] if it is not XML, or a data set lacks its time or a file in the folder.
     pub fn read(path: &Path) -> Result<Self, Error> {
         let text = fs::read_to_string(path).map_err(Error::io(path, "read this file"))?;
         let document = roxmltree::Document::parse(&text).map_err(|e| {
@@ -58,7 +59,10 @@ impl Pvd {
         let mut snapshots = Vec::new();
         for node in document.descendants().filter(|node| node.has_tag_name("DataSet")) {
             let line = document.text_pos_at(node.range().start).row as usize;
-            let time = node.attribute("timestep").and_then(|t| t.trim().parse().ok());
+            let time = node
+                .attribute("timestep")
+                .and_then(|t| t.trim().parse().ok())
+                .filter(|t: &f64| t.is_finite());
             let file = node.attribute("file").filter(|file| !file.is_empty());
             let (Some(time), Some(file)) = (time, file) else {
                 return Err(Error::format(
@@ -67,6 +71,11 @@ impl Pvd {
                     "a data set needs `timestep`, a number, and `file`",
                 ));
             };
+            // A folder may come from anybody: nothing outside it is read.
+            if !is_inside(file) {
+                let what = format!("`file` does not lie in this folder: {file:?}");
+                return Err(Error::format(path, Some(line), what));
+            }
             snapshots.push(Snapshot { time, file: file.into() });
         }
         Ok(Pvd { path: path.to_owned(), snapshots })

@@ -88,6 +88,10 @@ impl Measure {
         if let Some((_, kind)) = PLAIN.iter().find(|(name, _)| name.eq_ignore_ascii_case(rest)) {
             return Ok(Measure { of, kind: *kind });
         }
+        let period = |written: &str| {
+            units::parse(written, Dimension::TIME)
+                .map_err(|e| format!("the period in `{text}` {}", e.message("period")))
+        };
         let unknown = || format!("`{text}` is no measure of intensity");
         let inside = |name: &str| {
             let named = rest.get(..name.len()).filter(|own| own.eq_ignore_ascii_case(name));
@@ -97,8 +101,7 @@ impl Measure {
             let (from, to) = band.split_once(',').ok_or_else(|| {
                 format!("`{text}` needs two periods, the band in which Sa is set beside the target")
             })?;
-            let [from, to] =
-                [from, to].map(|t| units::parse(t, Dimension::TIME).map_err(|e| e.message("period")));
+            let [from, to] = [from, to].map(period);
             let (from, to) = (from?, to?);
             if !(from > 0.0 && to >= 1.5 * from) {
                 return Err(format!(
@@ -108,12 +111,13 @@ impl Measure {
             return Ok(Measure { of, kind: Kind::Target { from, to } });
         }
         let inside = inside("Sa");
-        let (period, damping) = match inside.ok_or_else(unknown)?.split_once(',') {
-            Some((period, damping)) => (period, damping),
+        let (own, damping) = match inside.ok_or_else(unknown)?.split_once(',') {
+            Some((own, damping)) => (own, damping),
             None => (inside.unwrap_or_default(), "5 %"),
         };
-        let period = units::parse(period, Dimension::TIME).map_err(|e| e.message("period"))?;
-        let damping = units::parse(damping, Dimension::NONE).map_err(|e| e.message("damping"))?;
+        let period = period(own)?;
+        let damping = units::parse(damping, Dimension::NONE)
+            .map_err(|e| format!("the damping ratio in `{text}` {}", e.message("damping")))?;
         if !(period > 0.0) || !(0.0..1.0).contains(&damping) {
             return Err(format!("`{text}` needs a period above 0 and a damping ratio from 0 to below 100 %"));
         }

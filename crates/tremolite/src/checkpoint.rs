@@ -234,6 +234,12 @@ fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), C
     if header.fingerprint != fingerprint {
         return Err(CheckpointError::Other { path });
     }
+    let data = &rest[length..];
+    // Before anything is made room for: a header may tell of any number.
+    let wanted = header.columns.iter().try_fold(0usize, |sum, e| sum.checked_add(e.values.checked_mul(8)?));
+    if wanted != Some(data.len()) {
+        return Err(CheckpointError::Other { path });
+    }
     state.observers = header
         .columns
         .iter()
@@ -250,9 +256,7 @@ fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), C
             .iter()
             .zip(&header.columns)
             .all(|((name, _, c), e)| *name == e.name && values(c) == e.values);
-    let data = &rest[length..];
-    let wanted: usize = header.columns.iter().map(|e| 8 * e.values).sum();
-    if !fits || data.len() != wanted {
+    if !fits {
         return Err(CheckpointError::Other { path });
     }
     let mut words = data.chunks_exact(8).map(|w| {

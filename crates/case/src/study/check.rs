@@ -1,7 +1,8 @@
 //! What lies between the tables of a study file.
 
-use super::{Levels, Sample, SampleKind, StudyFile, Variation};
+use super::{Levels, MeasureOf, Sample, SampleKind, StudyFile, Variation};
 use crate::Diagnostic;
+use std::path::{Component, Path};
 
 impl StudyFile {
     /// What lies between keys.
@@ -124,6 +125,17 @@ impl StudyFile {
     }
 
     fn check_measures(&self, problems: &mut Vec<Diagnostic>) {
+        for measure in &self.measures {
+            let MeasureOf::Column { table, .. } = &measure.of else { continue };
+            if !Path::new(&table.value).components().all(|part| matches!(part, Component::Normal(_))) {
+                let message = format!("the table `{}` does not lie in the results of a run", table.value);
+                problems.push(Diagnostic::at(
+                    table,
+                    message,
+                    "write its path in that folder: \"monitors.csv\"",
+                ));
+            }
+        }
         let names = || self.measures.iter().map(|m| m.name.value.as_str());
         let until = self.scale.iter().filter_map(|scale| match &scale.levels {
             Levels::Ida(ida) => Some(&ida.until),

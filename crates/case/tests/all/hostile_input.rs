@@ -29,7 +29,16 @@ fn survive(source: &str) {
             assert!(!problem.message.is_empty() && !problem.remedy.is_empty());
             report.position(problem);
         }
-        report.render(false);
+        let shown = report.render(false);
+        assert!(!shown.contains(|c: char| c.is_control() && c != '\n'), "{shown:?}");
+    }
+}
+
+/// A terminal takes them for commands. The remedy named a key that was not in quotes as it stood.
+#[test]
+fn control_characters_of_a_case_are_not_shown() {
+    for text in ["a = \u{1d}", "\u{1b}[31m = 1", "title = \"\u{7}\"", "\u{9b}x = 1", "[\u{1b}]"] {
+        survive(text);
     }
 }
 

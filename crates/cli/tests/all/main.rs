@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod bad_input;
 mod boundary_figures;
 mod check;
 mod checks;
@@ -10,6 +11,7 @@ mod circles;
 mod commands;
 mod corners;
 mod every_law;
+mod fuzzed;
 mod interfaces;
 mod law;
 mod law_figures;

@@ -7,6 +7,10 @@ use super::{Cavern, CavernError, CavernShape, CavernSpec, Shotcrete, along, gall
 
 const MOST_LAYERS: u32 = 20;
 
+/// Quadrilaterals in the clear section of a cavern. Smoothing them takes a millisecond each, and their elements would have time steps
+/// that no earthquake is integrated with.
+const MOST_IN_SECTION: f64 = 40_000.0;
+
 /// The checks that need no geometry of the block as a whole.
 pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
     let lengths = [
@@ -34,11 +38,29 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
         let taken = spec.caverns[..k].iter().any(|other| other.name == cavern.name);
         name::check(&cavern.name, taken)?;
         check_cavern(cavern, spec.near)?;
+        check_size(cavern, spec.near)?;
     }
     strata::check(&spec.layers)?;
     ground::check(&spec.ground)?;
     gallery::check(spec)?;
     along::check(spec)
+}
+
+/// Before anything is laid out or smoothed: a slip of the unit of `near` would else be told after minutes.
+fn check_size(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
+    let area = cavern.width * cavern.height;
+    let count = area / (near * near);
+    if count <= MOST_IN_SECTION {
+        return Ok(());
+    }
+    // To the centimetre above, so that what is named is taken.
+    let least = (100.0 * (area / MOST_IN_SECTION).sqrt()).ceil() / 100.0;
+    let must = format!(
+        "at least {least:.2} m, since the section of cavern {:?} would have some {count:.0} elements and at most {MOST_IN_SECTION} \
+         are taken; look at its unit",
+        cavern.name
+    );
+    Err(value("near", near, must))
 }
 
 fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {

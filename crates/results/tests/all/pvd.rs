@@ -54,6 +54,9 @@ fn damaged_collections_are_refused_with_the_line() {
         ("<VTKFile>\n<Collection>\n</VTKFile>", 3),
         ("<VTKFile>\n\n<DataSet file='a'/></VTKFile>", 3),
         ("<VTKFile>\n<DataSet timestep='soon' file='a'/></VTKFile>", 2),
+        ("<VTKFile>\n<DataSet timestep='nan' file='a'/></VTKFile>", 2),
+        ("<VTKFile>\n<DataSet timestep='0' file='../a'/></VTKFile>", 2),
+        ("<VTKFile>\n<DataSet timestep='0' file='/dev/zero'/></VTKFile>", 2),
     ] {
         fs::write(&path, content).unwrap();
         match Pvd::read(&path) {

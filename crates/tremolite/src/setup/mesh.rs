@@ -4,7 +4,7 @@ use super::memory::{Inputs, in_memory};
 use super::{holes, places, planes};
 use std::ops::Range;
 use std::path::Path;
-use tremolite_case::{self as case, Diagnostic};
+use tremolite_case::{self as case, Diagnostic, NO_FORMULA, begins_a_formula};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::cavern::{
     Cavern, CavernShape, CavernSpec, Gallery, GroundSurface, Lining, RockLayer, Shotcrete,
@@ -51,7 +51,20 @@ pub fn build(
             "give the group another name, or the elements of this mesh",
         ));
     }
+    refuse_formulas(mesh, &built.mesh, problems);
     (problems.len() == before).then_some(built)
+}
+
+/// Groups head the columns of tables.
+fn refuse_formulas(mesh: &case::Mesh, built: &Mesh, problems: &mut Vec<Diagnostic>) {
+    let case::Mesh::File(file) = mesh else { return };
+    if let Some((name, _)) = built.groups.iter().find(|(name, _)| begins_a_formula(name)) {
+        problems.push(Diagnostic::at(
+            &file.path,
+            format!("no group of a mesh can be called '{name}'"),
+            NO_FORMULA,
+        ));
+    }
 }
 
 /// The mesh as it is generated or read.

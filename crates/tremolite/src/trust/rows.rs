@@ -3,6 +3,7 @@
 use crate::evidence::Evidence;
 use crate::observers::Extremes;
 use crate::trust::on_broken_elements;
+use std::collections::HashMap;
 use tremolite_kernels::Line;
 use tremolite_results::{Said, TrustLine, said};
 
@@ -18,6 +19,10 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     let name = said!("largest share of a peak that the rows of the histories miss");
     let Evidence { plan, outcome, histories, .. } = evidence;
     let (_, loose) = on_broken_elements(evidence);
+    // By name, as there may be ten thousand monitors; of equal names the first.
+    let columns = histories.columns.iter().zip(&histories.values).rev();
+    let columns: HashMap<&str, &[f64]> =
+        columns.map(|(column, values)| (column.name.as_str(), &values[..])).collect();
     let mut worst: Option<(f64, String, f64, f64)> = None;
     let dissipated = evidence.energy.column(Line::Dissipated.name()).and_then(|column| column.last());
     let elastic = dissipated.is_none_or(|joule| *joule == 0.0);
@@ -25,7 +30,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
         for quantities in &JUDGED[..if elastic { 2 } else { 1 }] {
             let sizes = quantities.iter().filter_map(|quantity| {
                 let of_steps = Extremes::of(&outcome.state.observers, plan, &monitor.name, quantity)?;
-                let column = histories.column(&format!("{}.{quantity}", monitor.name))?;
+                let column = columns.get(&*format!("{}.{quantity}", monitor.name))?;
                 // Of s1_elastic tension counts.
                 let size = |x: f64| if *quantity == "s1_elastic" { x } else { x.abs() };
                 let peak = |first: usize, every: usize| {

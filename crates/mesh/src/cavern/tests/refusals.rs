@@ -1,4 +1,4 @@
-use crate::cavern::{CavernError, CavernSpec};
+use crate::cavern::{Cavern, CavernError, CavernSpec};
 
 #[test]
 fn impossible_input_is_refused_with_the_key_and_the_remedy() {
@@ -27,7 +27,7 @@ fn impossible_input_is_refused_with_the_key_and_the_remedy() {
         ("move them apart", |s| s.caverns[1].at[0] = 12.0),
         ("raise `sides`", |s| s.sides = 2.0),
         ("raise `overburden`", |s| s.caverns[1].at[1] = 220.0),
-        ("about", |s| s.near = 1e-4),
+        ("near is 0.0001; it must be at least 0.13 m", |s| s.near = 1e-4),
     ];
     for (expected, change) in cases {
         let mut spec = CavernSpec::yingxiuwan();
@@ -47,6 +47,41 @@ fn absurd_counts_are_refused_before_anything_is_built() {
         let mut spec = CavernSpec::yingxiuwan();
         change(&mut spec);
         let error = spec.mesh().unwrap_err();
-        assert!(matches!(error, CavernError::TooMany { .. } | CavernError::Grading { .. }), "{error}");
+        let size = matches!(&error, CavernError::Value { key, .. } if key == "near");
+        assert!(
+            size || matches!(error, CavernError::TooMany { .. } | CavernError::Grading { .. }),
+            "{error}"
+        );
     }
+}
+
+/// A hall of 12 × 18 m in elements of 4 cm was smoothed for 100 s before it was refused, and then for its shape.
+#[test]
+fn near_in_the_wrong_unit_is_refused_before_the_section_is_smoothed() {
+    let hall = Cavern {
+        name: "hall".to_owned(),
+        width: 12.0,
+        height: 18.0,
+        arch_rise: 3.0,
+        benches: 1,
+        ..Cavern::default()
+    };
+    let spec = |near: f64| CavernSpec {
+        overburden: 60.0,
+        below: 40.0,
+        sides: 60.0,
+        length: 4.0,
+        near,
+        far: 6.0,
+        along: Some(2.0),
+        caverns: vec![hall.clone()],
+        ..CavernSpec::default()
+    };
+    let message = spec(0.04).mesh().unwrap_err().to_string();
+    assert_eq!(
+        message,
+        "near is 0.04; it must be at least 0.08 m, since the section of cavern \"hall\" would have some 135000 elements and at \
+         most 40000 are taken; look at its unit"
+    );
+    assert!(spec(4.0).mesh().is_ok());
 }
