@@ -44,9 +44,9 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
             let quantity = format!("largest error {place} without any boundary, {of}");
             let note = "for information: beside it that of the box with its boundary";
             let p = order(coarse.unbounded[at], fine.unbounded[at], 2.0);
-            checks.push(
-                Check::beside(NAME, quantity, coarse.unbounded[at], coarse.bounded[at], "1", note).with_order(p),
-            );
+            checks.push(Check::beside(NAME, quantity, coarse.unbounded[at], coarse.bounded[at], "1", note));
+            let quantity = format!("order in h of the error {place} without any boundary, {of}");
+            checks.push(Check::new(NAME, quantity, p, 2.0, 0.1, "1", "what is wrong of the scheme is of order 2"));
             let quantity = format!("what the boundary adds {place}, {of}");
             let p = order(coarse.own[at], fine.own[at], 2.0);
             let note = "for information: the box with its boundary less that without";
@@ -214,10 +214,13 @@ fn straight_up() -> Result<Vec<Check>, VerifyError> {
         ("the same chain without an end below", "for information: from theory, what the mesh makes by itself"),
         ("the one less the other", "for information: by so much a base without an error of its own would differ from today's"),
     ];
-    Ok((0..3)
-        .map(|k| {
-            let (quantity, note) = said[k];
-            Check::beside(NAME, quantity, coarse[k], coarse[0], "1", note).with_order(order(coarse[k], fine[k], 2.0))
-        })
-        .collect())
+    let each = (0..3).flat_map(|k| {
+        let (quantity, note) = said[k];
+        let p = order(coarse[k], fine[k], 2.0);
+        [
+            Check::beside(NAME, quantity, coarse[k], coarse[0], "1", note),
+            Check::new(NAME, format!("order in h of {quantity}"), p, 2.0, 0.1, "1", "order 2"),
+        ]
+    });
+    Ok(each.collect())
 }
