@@ -7,7 +7,8 @@ use crate::{Error, Units};
 
 /// What [`TargetSpectrum::parse`] reads, for messages.
 const FORMS: &str = "write \"EN 1998-1 type 1 ground B 2 m/s2\" (type 1 or 2, ground A to E, a_g with its unit), or give a CSV file \
-                     with the columns `period [s]` and `sa [m/s2]` or `sa [g]`";
+                     with the columns `period [s]` and `sa [m/s2]` or `sa [g]`, the spectrum of any other code by its points: \
+                     docs/records.md shows how few do";
 
 /// An elastic response spectrum of pseudo-acceleration, horizontal, that a motion is to have.
 #[derive(Debug, Clone, PartialEq)]

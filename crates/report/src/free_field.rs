@@ -60,7 +60,9 @@ pub fn section(source: &Source) -> Option<Section> {
     let moving: Vec<usize> =
         (0..3).filter(|&axis| sizes[axis] > IDLE * most || size(axis) > SCATTERED * most).collect();
     let scale = source.scale(Kind::Velocity);
-    let panels = panels(language, &wave, &drawn, (&moving, &scale));
+    let softened = |column: &&Station| column.top.equivalent.iter().any(|of| !of.is_empty());
+    let softened = found.columns.iter().find(softened);
+    let panels = panels(language, &wave, &drawn, softened, (&moving, &scale));
     let chart = Chart { title: heading.clone(), time: &found.time, panels };
     let mut caption = drawn.why.clone();
     let theory = drawn.column.iter().flat_map(|column| column.places()).flat_map(|of| &of.theory);
@@ -68,6 +70,13 @@ pub fn section(source: &Source) -> Option<Section> {
         caption.push_str(&say!(
             language,
             " The thin line of the column should lie on the broad one of theory wherever the ground does not yield."
+        ));
+    }
+    if softened.is_some() {
+        caption.push_str(&say!(
+            language,
+            " Beside ground that yields stands its equivalent-linear column: layers with the modulus and damping that the same laws show at 0.65 \
+             of their largest strain. It keeps no lasting displacement and may damp what is fast too much, so nothing is judged by it."
         ));
     }
     for axis in (0..3).filter(|axis| !moving.contains(axis)) {
@@ -113,6 +122,7 @@ fn panels<'a>(
     language: Language,
     wave: &'a Wave,
     drawn: &DrawnCorner<'a>,
+    softened: Option<&'a Station>,
     (moving, scale): (&[usize], &Scale),
 ) -> Vec<Panel<'a>> {
     let mut panels = Vec::new();
@@ -128,6 +138,11 @@ fn panels<'a>(
                 let name = say!(language, "{column}, theory", column = name);
                 line(name, &of.theory[axis], 5, Stroke::Broad)
             };
+            let of_equivalent = || {
+                let softened = softened?;
+                let name = say!(language, "{column}, equivalent-linear", column = softened.name);
+                line(name, &softened.places()[k].equivalent[axis], 4, Stroke::Dashed)
+            };
             let of_column = || {
                 let (name, of) = column?;
                 let name = say!(language, "{column}, as it moved", column = name);
@@ -142,6 +157,7 @@ fn panels<'a>(
             let lines = [
                 of_theory(),
                 line(say!(language, "incident wave"), &wave.at_rows[axis], 2, Stroke::Thin),
+                of_equivalent(),
                 of_column(),
                 of_model(),
             ];

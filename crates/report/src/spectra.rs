@@ -30,15 +30,16 @@ fn monitors(table: &Table) -> Vec<&str> {
 pub fn of_input(source: &Source) -> Option<Figure> {
     let Some(Ok(table)) = &source.spectra else { return None };
     let (language, periods) = (source.language, table.column("period")?);
-    let points = ["given", "incident", "free_field.surface", "free_field.base"]
+    let points = ["given", "incident", "free_field.surface", "free_field.base", "free_field.equivalent"]
         .map(|name| SpectrumPlace::of(table, name));
     let names = [
         say!(language, "motion given"),
         say!(language, "incident wave"),
         say!(language, "free field, surface"),
         say!(language, "free field, base"),
+        say!(language, "equivalent-linear column, surface"),
     ];
-    let pens = [(3, Pen::Curve), (2, Pen::Curve), (0, Pen::Dashed), (1, Pen::Dashed)];
+    let pens = [(3, Pen::Curve), (2, Pen::Curve), (0, Pen::Dashed), (1, Pen::Dashed), (5, Pen::Dashed)];
     let known: Vec<&SpectrumPlace> = points.iter().filter(|point| point.is_known()).collect();
     let axes_of = moving(&known);
     if axes_of.is_empty() {
@@ -59,12 +60,19 @@ pub fn of_input(source: &Source) -> Option<Figure> {
     let title = say!(language, "Response spectra of the motion that comes in");
     let rows = [SpectraRow { name: "", drawn }];
     let figure = figure(&rows, &axes_of, periods, &title, "input-spectra.svg".into(), source);
-    let caption = say!(
+    let mut caption = say!(
         language,
         "Largest acceleration of an oscillator of each period with 5 % of critical damping (ω² times its largest displacement). \
          Compare the motion given with the spectrum that the design calls for. The surface of level rock that is neither damped \
          nor layered would have twice the incident wave's. Numbers: spectra.csv."
     );
+    if points[4].is_known() {
+        caption.push_str(&say!(
+            language,
+            " The ground can yield: the equivalent-linear column of its own laws stands beside its surface. Where shaking is weak the two \
+             agree; where it is strong that column is an approximation, which may damp short periods too much."
+        ));
+    }
     Some(Figure { heading: title, caption, ..figure })
 }
 

@@ -50,7 +50,9 @@ pub fn halves(pair: &str, known: impl Fn(&str) -> bool) -> Option<[&str; 2]> {
 fn spectrum(name: String, quantity: String) -> (Subject, String) {
     match name.strip_suffix(BESIDE) {
         Some(monitor) => (Subject::Monitor(monitor.into()), format!("free_field.{quantity}")),
-        None if ["given", "incident", "free_field.surface", "free_field.base"].contains(&name.as_str()) => {
+        None if ["given", "incident", "free_field.surface", "free_field.base", "free_field.equivalent"]
+            .contains(&name.as_str()) =>
+        {
             (Subject::None, format!("{name}.{quantity}"))
         }
         None => (Subject::Monitor(name), quantity),

@@ -10,6 +10,8 @@ use crate::{Error, Subject, Table};
 const AXES: [&str; 3] = ["x", "y", "z"];
 /// What stands behind the component of a velocity that theory predicts.
 const THEORY: &str = "_theory";
+/// And that of the equivalent-linear column.
+const EQUIVALENT: &str = "_equivalent";
 
 /// What stands before the component of a velocity at the place of a record.
 const RECORD: &str = "record.free_field.v";
@@ -50,6 +52,15 @@ pub struct Velocities {
     pub measured: [Vec<f64>; 3],
     /// What theory of the layered column predicts. Also empty where no value is a number: there is no theory then.
     pub theory: [Vec<f64>; 3],
+    /// What the equivalent-linear column has beside ground that yields; along x and y at the surface of one column, or nowhere.
+    pub equivalent: [Vec<f64>; 3],
+}
+
+/// What a column holds of a velocity.
+enum Of {
+    Run,
+    Theory,
+    Equivalent,
 }
 
 impl Station {
@@ -81,7 +92,7 @@ impl FreeField {
         Table::read(path).map(Self::of)
     }
 
-    /// What a table holds of the free field: `top.vx`, `top.vx_theory`, `base.vx` … of columns, `surface.vx`, `base.vx` … of the
+    /// What a table holds of the free field: `top.vx`, `top.vx_theory`, `top.vx_equivalent`, `base.vx` … of columns, `surface.vx`, `base.vx` … of the
     /// model and its edges, and `record.free_field.vx` ….
     pub fn of(table: Table) -> Self {
         let mut found = FreeField { cut: table.cut, ..FreeField::default() };
@@ -101,17 +112,18 @@ impl FreeField {
                 Subject::Model => (&mut model, "model"),
                 _ => continue,
             };
-            let Some((at_top, axis, of_theory)) = place(&column.quantity) else { continue };
+            let Some((at_top, axis, of)) = place(&column.quantity) else { continue };
             let known = stations.iter().position(|station| station.name == name).unwrap_or(stations.len());
             if known == stations.len() {
                 stations.push(Station { name: name.into(), ..Station::default() });
             }
             let station = &mut stations[known];
             let velocities = if at_top { &mut station.top } else { &mut station.base };
-            if !of_theory {
-                velocities.measured[axis] = values;
-            } else if values.iter().any(|v| v.is_finite()) {
-                velocities.theory[axis] = values;
+            match of {
+                Of::Run => velocities.measured[axis] = values,
+                Of::Theory if values.iter().any(|v| v.is_finite()) => velocities.theory[axis] = values,
+                Of::Theory => {}
+                Of::Equivalent => velocities.equivalent[axis] = values,
             }
         }
         found.model = model.pop();
@@ -119,18 +131,20 @@ impl FreeField {
     }
 }
 
-/// Whether a velocity is that at the surface, along which axis, and whether by theory.
-fn place(quantity: &str) -> Option<(bool, usize, bool)> {
+/// Whether a velocity is that at the surface, along which axis, and by what.
+fn place(quantity: &str) -> Option<(bool, usize, Of)> {
     let (place, component) = quantity.split_once('.')?;
     let at_top = match place {
         "top" | "surface" => true,
         "base" => false,
         _ => return None,
     };
-    let measured = component.strip_suffix(THEORY);
-    let axis = measured.unwrap_or(component).strip_prefix('v')?;
+    let behind = [(THEORY, Of::Theory), (EQUIVALENT, Of::Equivalent)];
+    let of = behind.into_iter().find_map(|(word, of)| Some((component.strip_suffix(word)?, of)));
+    let (component, of) = of.unwrap_or((component, Of::Run));
+    let axis = component.strip_prefix('v')?;
     let axis = AXES.iter().position(|known| *known == axis)?;
-    Some((at_top, axis, measured.is_some()))
+    Some((at_top, axis, of))
 }
 
 #[cfg(test)]
@@ -153,6 +167,7 @@ mod tests {
             ("model.surface.vx", &[7.0, 8.0]),
             ("xmin-ymin.top.vx", &[1.0, 2.0]),
             ("xmin-ymin.top.vx_theory", &[1.5, 2.5]),
+            ("xmin-ymin.top.vy_equivalent", &[1.6, 2.6]),
             ("ymin-xmax.base.vz", &[3.0, 4.0]),
             ("xmin-ymin.base.vx", &[5.0, 6.0]),
         ]);
@@ -161,6 +176,7 @@ mod tests {
         assert_eq!(found.time, [0.0, 0.1]);
         let [first, second] = &found.columns[..] else { panic!() };
         assert_eq!((&first.top.measured[0], &first.top.theory[0]), (&vec![1.0, 2.0], &vec![1.5, 2.5]));
+        assert_eq!(first.top.equivalent, [vec![], vec![1.6, 2.6], vec![]]);
         assert_eq!((&first.base.measured[0], &second.base.measured[2]), (&vec![5.0, 6.0], &vec![3.0, 4.0]));
         assert!(
             first.base.theory[0].is_empty()

@@ -142,7 +142,8 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
         3 * plan.monitors.len() + 3 * usize::from(plan.recorded.is_some())
     };
     let free_field = if model.boundaries.incident.is_some() {
-        1 + 12 * model.outside.columns.len() + 30 + beside
+        // An equivalent-linear column has two more.
+        1 + 12 * model.outside.columns.len() + 2 + 30 + beside
     } else if plan.waves.is_some() {
         // Time; the field and the model at two places of four corners along three axes; the field at each monitor.
         1 + 48 + 3 * plan.monitors.len()

@@ -9,11 +9,13 @@
 
 mod curves;
 mod darendeli;
+mod of_law;
 mod table;
 mod vucetic_dobry;
 
 pub use curves::Curves;
 pub use darendeli::Darendeli;
+pub use of_law::of_law;
 pub use table::CurveTable;
 
 use crate::layered_column::{Layer, LayeredColumn, Train};
@@ -155,6 +157,46 @@ pub fn fit_together(
     search: Search,
     kept: &(dyn Fn(f64) -> f64 + Sync),
 ) -> Result<Fitted, Unfit> {
+    let plain = |thickness, density, speed| Layer {
+        thickness,
+        density,
+        speed,
+        band: None,
+        rayleigh: Rayleigh::default(),
+        damping: 0.0,
+        water: None,
+    };
+    let ground = Ground {
+        layers: soils.iter().map(|soil| plain(soil.thickness, soil.density, soil.speed)).collect(),
+        curves: soils.iter().map(|soil| soil.curves.clone()).collect(),
+        rock: plain(0.0, rock.density, rock.speed),
+    };
+    fit_ground(&ground, accelerations, dt, given, search, kept)
+}
+
+/// Layers with what else than their curves damps them.
+#[derive(Clone, Debug)]
+pub(crate) struct Ground {
+    /// Of small strains, from the surface down.
+    pub layers: Vec<Layer>,
+    /// As many.
+    pub curves: Vec<Curves>,
+    /// The half-space below, of no thickness.
+    pub rock: Layer,
+}
+
+/// The same for such layers.
+///
+/// # Errors
+/// [`Unfit`].
+pub(crate) fn fit_ground(
+    ground: &Ground,
+    accelerations: &[&[f64]],
+    dt: f64,
+    given: Given,
+    search: Search,
+    kept: &(dyn Fn(f64) -> f64 + Sync),
+) -> Result<Fitted, Unfit> {
     let moving = accelerations.iter().filter(|along| along.iter().any(|a| *a != 0.0));
     let trains: Vec<Train> = moving
         .map(|along| {
@@ -162,16 +204,20 @@ pub fn fit_together(
             Train::of(sample, dt, along.len() as f64 * dt)
         })
         .collect();
-    if soils.is_empty() || trains.is_empty() {
+    let count = ground.layers.len();
+    if count == 0 || trains.is_empty() {
         return Err(Unfit::Nothing);
     }
-    let start = soils.iter().map(|soil| soil.curves.at(0.0));
-    let mut used: Vec<[f64; 2]> = start.collect();
+    let mut used: Vec<[f64; 2]> = ground.curves.iter().map(|curves| curves.at(0.0)).collect();
     for round in 1..=search.most_rounds {
-        let column = column(soils, rock, &used);
-        let strains = strains(soils, &column, &trains, given, kept);
-        let next: Vec<[f64; 2]> =
-            soils.iter().zip(&strains).map(|(soil, strain)| soil.curves.at(search.share * strain)).collect();
+        let column = ground.column(&used);
+        let strains = strains(count, &column, &trains, given, kept);
+        let next: Vec<[f64; 2]> = ground
+            .curves
+            .iter()
+            .zip(&strains)
+            .map(|(curves, strain)| curves.at(search.share * strain))
+            .collect();
         let share = |(new, old): (&f64, &f64)| if new == old { 0.0 } else { (new - old).abs() / new.abs() };
         let change = next.iter().flatten().zip(used.iter().flatten()).map(share).fold(0.0, f64::max);
         if change <= search.tolerance {
@@ -197,28 +243,23 @@ pub fn fit_together(
     Err(Unfit::Restless { change: f64::INFINITY })
 }
 
-/// The column with moduli and damping ratios.
-fn column(soils: &[Soil], rock: Rock, used: &[[f64; 2]]) -> LayeredColumn {
-    let plain = |thickness, density, speed, damping| Layer {
-        thickness,
-        density,
-        speed,
-        band: None,
-        rayleigh: Rayleigh::default(),
-        damping,
-        water: None,
-    };
-    let soft = |(soil, [modulus, damping]): (&Soil, &[f64; 2])| {
-        plain(soil.thickness, soil.density, soil.speed * modulus.sqrt(), *damping)
-    };
-    let rock = plain(0.0, rock.density, rock.speed, 0.0);
-    let layers = std::iter::once(rock).chain(soils.iter().zip(used).rev().map(soft)).collect();
-    LayeredColumn::of_all(layers, Top::Free)
+impl Ground {
+    /// The column with moduli and damping ratios. Rayleigh's damping goes by the modulus of small strains, as it does in a model.
+    fn column(&self, used: &[[f64; 2]]) -> LayeredColumn {
+        let soft = |(layer, [modulus, damping]): (&Layer, &[f64; 2])| Layer {
+            speed: layer.speed * modulus.sqrt(),
+            damping: *damping,
+            rayleigh: Rayleigh { stiffness: layer.rayleigh.stiffness / modulus, ..layer.rayleigh },
+            ..*layer
+        };
+        let layers = std::iter::once(self.rock).chain(self.layers.iter().zip(used).rev().map(soft)).collect();
+        LayeredColumn::of_all(layers, Top::Free)
+    }
 }
 
 /// The largest shear strain in the middle of each layer, from the surface down.
 fn strains(
-    soils: &[Soil],
+    soils: usize,
     column: &LayeredColumn,
     trains: &[Train],
     given: Given,
@@ -228,15 +269,15 @@ fn strains(
     let all = trains[0].frequencies(|s| {
         let share = kept(s.im / TAU);
         if share == 0.0 {
-            return vec![Complex64::default(); soils.len()];
+            return vec![Complex64::default(); soils];
         }
         let [factors, slopes] = column.factors_and_slopes(s);
         let given = match given {
             Given::Outcrop => Complex64::from(2.0),
-            Given::Surface => factors[soils.len() + 1],
+            Given::Surface => factors[soils + 1],
         };
         let of = |layer: usize| share * slopes[layer] / (given * s * s);
-        (1..=soils.len()).rev().map(of).collect::<Vec<Complex64>>()
+        (1..=soils).rev().map(of).collect::<Vec<Complex64>>()
     });
     let largest = |layer: usize| {
         let strains: Vec<Vec<f64>> =
@@ -244,7 +285,7 @@ fn strains(
         let square = |k: usize| strains.iter().map(|strain| strain[k] * strain[k]).sum::<f64>();
         (0..strains[0].len()).map(square).fold(0.0, f64::max).sqrt()
     };
-    (0..soils.len()).into_par_iter().map(largest).collect()
+    (0..soils).into_par_iter().map(largest).collect()
 }
 
 /// The acceleration \[m/s²\] at the surface under one that is given, as long as that and a sample or two.

@@ -30,6 +30,8 @@ const GIVEN: &str = "given.";
 const INCIDENT: &str = "incident.";
 const SURFACE: &str = "free_field.surface.";
 const BASE: &str = "free_field.base.";
+/// The surface of the equivalent-linear column beside ground that yields.
+const EQUIVALENT: &str = "free_field.equivalent.";
 /// The free field at the level of a monitor.
 const BESIDE: &str = "free_field.";
 
@@ -39,9 +41,10 @@ impl Point {
     }
 }
 
-/// The points, in the order of the file, each with three columns.
+/// The points, in the order of the file, each with three columns, or as many as its history has.
 pub fn points(plan: &Plan, free_field: bool) -> Vec<Point> {
-    let of_ground = if free_field { &[GIVEN, INCIDENT, SURFACE, BASE][..] } else { &[GIVEN, INCIDENT] };
+    let of_ground =
+        if free_field { &[GIVEN, INCIDENT, SURFACE, BASE, EQUIVALENT][..] } else { &[GIVEN, INCIDENT] };
     let nobodys = |place: &&'static str| Point { subject: Subject::None, place };
     let mut points: Vec<Point> = of_ground.iter().map(nobodys).collect();
     for monitor in &plan.monitors {
@@ -123,6 +126,9 @@ pub(crate) fn write(folder: &ResultFolder, plan: &Plan, column: Option<&str>) ->
         (_, GIVEN | INCIDENT, _) => of_motion(&motion, &point.column(axis).name, end),
         (_, SURFACE, Some(column)) => between_rows(&free_field, &format!("{column}.top.v{axis}")),
         (_, BASE, Some(column)) => between_rows(&free_field, &format!("{column}.base.v{axis}")),
+        (_, EQUIVALENT, Some(column)) => {
+            between_rows(&free_field, &format!("{column}.top.v{axis}_equivalent"))
+        }
         (Subject::Monitor(name), BESIDE, _) => between_rows(&free_field, &format!("{name}.{BESIDE}v{axis}")),
         _ => of_rows(&monitors, &point.column(axis).name),
     };

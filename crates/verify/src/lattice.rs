@@ -40,4 +40,38 @@ impl Lattice {
         }
         all
     }
+
+    /// By how much the displacements \[m\] of all masses, from the base up, are less than a field's at each of so many steps of `dt` \[s\] from 0
+    /// on, in a chain that goes on below without end and into which the field came without error: `field` has displacement \[m\] by the number
+    /// of a mass, or of one below, and time \[s\], and obeys the equation of motion of what the chain is made for.
+    ///
+    /// What is wrong of the field in the chain, above the base, is put to it as forces; these make waves that go away below: the
+    /// error of the mesh itself, of which no boundary has a part.
+    pub fn lag(&self, field: impl Fn(i64, f64) -> f64, dt: f64, steps: u64) -> Vec<Vec<f64>> {
+        // In a step a wave goes no farther than a mass.
+        let (below, top) = (steps as usize, self.cells as i64);
+        let count = below + self.cells + 1;
+        let (mut e, mut du) = (vec![0.0; count], vec![0.0; count]);
+        let mut all = vec![vec![0.0; self.cells + 1]];
+        let gain = |last: bool| dt * dt * self.spring / if last { 0.5 * self.mass } else { self.mass };
+        for step in 0..steps {
+            let time = step as f64 * dt;
+            let pull: Vec<f64> = e.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            for k in 0..count {
+                let above = pull.get(k).copied().unwrap_or(0.0);
+                let under = if k == 0 { 0.0 } else { pull[k - 1] };
+                du[k] += gain(k + 1 == count) * (above - under);
+            }
+            for k in 0..=top {
+                let [before, now, after] = [-dt, 0.0, dt].map(|d| field(k, time + d));
+                let above = if k == top { 0.0 } else { field(k + 1, time) - now };
+                let under = now - field(k - 1, time);
+                let wrong = after - 2.0 * now + before - gain(k == top) * (above - under);
+                du[below + k as usize] += if k == 0 { 0.5 * wrong } else { wrong };
+            }
+            e.iter_mut().zip(&du).for_each(|(e, du)| *e += du);
+            all.push(e[below..].to_vec());
+        }
+        all
+    }
 }

@@ -12,6 +12,12 @@ pub const TEXTS: Texts = &[
         " The thin line of the column should lie on the broad one of theory wherever the ground does not yield.",
         "围岩未屈服时，自由场柱的细线应与理论解的粗线重合。",
     ),
+    (
+        " Beside ground that yields stands its equivalent-linear column: layers with the modulus and damping that the same laws show at 0.65 \
+         of their largest strain. It keeps no lasting displacement and may damp what is fast too much, so nothing is judged by it.",
+        "屈服地层旁列出其等效线性柱：各层取相同本构在最大应变的 0.65 倍处的模量与阻尼。它不含残余位移，对快变成分可能阻尼过大，故不作评判依据。",
+    ),
+    ("{column}, equivalent-linear", "{column}，等效线性"),
     ("Peaks of velocity of the columns", "自由场柱的速度峰值"),
     ("Peaks of velocity of the model at its corners", "模型角点的速度峰值"),
     ("incident wave", "入射波"),

@@ -34,6 +34,11 @@ impl CurveTable {
         }
     }
 
+    /// Of points that were measured on a law: damping ratios up to 2/π, that of a body which does nothing but yield.
+    pub(super) fn measured(points: Vec<[f64; 3]>) -> Self {
+        CurveTable { points }
+    }
+
     /// G/G_max and damping ratio at a shear strain.
     pub fn at(&self, strain: f64) -> [f64; 2] {
         let above = self.points.partition_point(|p| p[0] <= strain);

@@ -3,7 +3,8 @@
 //!
 //! For each column the velocity at its top and base is written as it was computed, and as theory has it for its layers
 //! ([`LayeredColumn`]): exact in frequency with all damping but artificial viscosity. There is none where an interface runs through the
-//! column, and none any more from the row on in which its rock has yielded or cracked. `model.xmin-ymin` …
+//! column, and none any more from the row on in which its rock has yielded or cracked; beside the surface of ground that can yield stands
+//! an equivalent-linear column, of the one column that stands for the free field ([`yielding`]). `model.xmin-ymin` …
 //! are the model itself at the upper and lower ends of its four vertical edges, the places farthest from what it holds;
 //! `model.surface` and `model.base` are the means over the four, which no single column need have: errors of opposite sign
 //! cancel in them, and unlike ground stands apart from them. `A.free_field` is the free field at the level of the monitor A, with
@@ -13,9 +14,11 @@ mod columns;
 mod given;
 pub mod levels;
 mod seen;
+mod yielding;
 
 pub use given::AtCorners;
 pub use seen::{ColumnSeen, FreeFieldSeen, Theory};
+pub use yielding::{NoColumn, YieldingSeen};
 
 use super::observer::{Event, Observer, Setting, Stepped, View, Wants, Which};
 use crate::error::RunError;
@@ -31,6 +34,7 @@ use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 use tremolite_results::{Column, Subject, TableWriter};
+use yielding::Yielding;
 
 /// Compares and writes velocities at the rows of the histories.
 pub struct FreeField {
@@ -43,6 +47,8 @@ pub struct FreeField {
     theory: Vec<Option<usize>>,
     /// Of columns of unlike ground.
     predictions: Vec<Predicted>,
+    /// Beside ground that can yield.
+    yielding: Option<Yielding>,
     /// Engine nodes of the model itself, by [`ENDS`] and corner.
     edges: [[usize; 4]; 2],
     /// The free field at the level of each monitor, and of the place of a record; empty without columns.
@@ -63,6 +69,8 @@ struct Predicted {
 /// Samples of the prediction between two of the motion: between them it is linear.
 pub const REFINEMENT: f64 = 8.0;
 const AXES: [&str; 3] = ["x", "y", "z"];
+/// Behind a velocity of the equivalent-linear column.
+const EQUIVALENT: &str = "_equivalent";
 
 impl FreeField {
     /// The observer, if a wave comes in.
@@ -97,7 +105,9 @@ impl FreeField {
         let record = super::recorded::place(model, setting.plan)
             .filter(|_| beside.iter().all(|(of, _)| of.name() != Subject::Record.name()));
         beside.extend(record.map(|height| (Subject::Record, height)));
-        let cells = cells(&columns, &theory, &beside);
+        let yielding = Yielding::of(setting);
+        let softened = yielding.as_ref().filter(|of| of.found.is_ok()).map(|of| of.column);
+        let cells = cells(&columns, &theory, softened, &beside);
         let of_cells = cells.iter().map(|cell| cell.column.clone());
         let header: Vec<Column> = std::iter::once(Column::new("time", "s")).chain(of_cells).collect();
         let path = setting.folder.free_field();
@@ -117,7 +127,7 @@ impl FreeField {
             steps: Which::some(ends().chain(corners)),
             ..Wants::looks(setting.rows())
         };
-        Ok(Some(FreeField { wants, table, cells, columns, theory, predictions, edges, beside }))
+        Ok(Some(FreeField { wants, table, cells, columns, theory, predictions, yielding, edges, beside }))
     }
 }
 
@@ -150,15 +160,33 @@ struct Cell {
 /// Whose velocity, by number; ends as in [`ENDS`].
 #[derive(Clone, Copy)]
 enum Whose {
-    Column { column: usize, end: usize },
-    Theory { column: usize, end: usize },
-    Mean { end: usize },
-    Edge { corner: usize, end: usize },
+    Column {
+        column: usize,
+        end: usize,
+    },
+    Theory {
+        column: usize,
+        end: usize,
+    },
+    /// Of the surface of the equivalent-linear column.
+    Softened,
+    Mean {
+        end: usize,
+    },
+    Edge {
+        corner: usize,
+        end: usize,
+    },
     Beside(usize),
 }
 
 /// The cells of free_field.csv behind the time.
-fn cells(columns: &[Watched], theory: &[Option<usize>], beside: &[(Subject, Height)]) -> Vec<Cell> {
+fn cells(
+    columns: &[Watched],
+    theory: &[Option<usize>],
+    softened: Option<usize>,
+    beside: &[(Subject, Height)],
+) -> Vec<Cell> {
     let mut cells = Vec::new();
     let mut add = |subject: &Subject, place: &str, behind: &str, axis: usize, whose: Whose| {
         let quantity = format!("{place}.v{}{behind}", AXES[axis]);
@@ -171,6 +199,9 @@ fn cells(columns: &[Watched], theory: &[Option<usize>], beside: &[(Subject, Heig
                 add(&subject, place, "", axis, Whose::Column { column, end });
                 if theory.is_some() {
                     add(&subject, place, "_theory", axis, Whose::Theory { column, end });
+                }
+                if softened == Some(column) && end == 0 && axis < 2 {
+                    add(&subject, place, EQUIVALENT, axis, Whose::Softened);
                 }
             }
         }
@@ -219,11 +250,15 @@ impl Predicted {
 
     /// Velocity \[m/s\] along an axis at one of [`ENDS`].
     fn at(&self, axis: usize, end: usize, time: f64) -> f64 {
-        let place = time / self.dt;
-        let (before, part) = (place as usize, place.fract());
-        let of = |i: usize| self.velocity[axis][end].get(i).copied().unwrap_or(0.0);
-        (1.0 - part) * of(before) + part * of(before + 1)
+        linear(&self.velocity[axis][end], time / self.dt)
     }
+}
+
+/// Between values, linear; 0 beyond them.
+fn linear(values: &[f64], place: f64) -> f64 {
+    let (before, part) = (place as usize, place.fract());
+    let of = |i: usize| values.get(i).copied().unwrap_or(0.0);
+    (1.0 - part) * of(before) + part * of(before + 1)
 }
 
 /// Whether the material of some bodies has yielded or cracked anywhere.
@@ -288,7 +323,13 @@ impl FreeField {
                 }
             }
         }
+        let softened = self.yielding.as_ref().and_then(|of| {
+            let surface = velocity(self.columns[of.column].ends[0]);
+            of.see(memory, view.snapshot.time, surface);
+            of.at(view.snapshot.time)
+        });
         let value = |cell: &Cell| match cell.whose {
+            Whose::Softened => softened.map_or(f64::NAN, |of| of[cell.axis]),
             Whose::Column { column, end } => velocity(self.columns[column].ends[end])[cell.axis],
             Whose::Theory { column, end } => exact[column][end][cell.axis],
             Whose::Mean { end } => {

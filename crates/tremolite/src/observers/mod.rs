@@ -36,7 +36,9 @@ pub use energy::{Energy, MEMORY as ENERGY_MEMORY};
 pub use envelopes::Envelopes;
 pub use fibres::Fibres;
 pub use fields::Fields;
-pub use free_field::{AtCorners, ColumnSeen, FreeField, FreeFieldSeen, Theory, chosen};
+pub use free_field::{
+    AtCorners, ColumnSeen, FreeField, FreeFieldSeen, NoColumn, Theory, YieldingSeen, chosen,
+};
 pub use growth::Growth;
 pub use histories::Histories;
 pub use interfaces::{InterfaceFields, Interfaces};

@@ -1,7 +1,9 @@
 //! Checks of what comes in and how the ground carries it.
 
+use crate::equivalent_linear::MOST_STRAIN;
 use crate::evidence::Evidence;
-use crate::observers::{ColumnSeen, FreeFieldSeen, recorded};
+use crate::observers::{ColumnSeen, FreeFieldSeen, NoColumn, YieldingSeen, recorded};
+use crate::phrases::clauses;
 use crate::places;
 use tremolite_engine::Side;
 use tremolite_results::{Said, TrustLine, said};
@@ -96,7 +98,8 @@ pub(super) fn free_field(evidence: &Evidence) -> Vec<TrustLine> {
     let Some(seen) = FreeFieldSeen::of(model, &outcome.state.observers) else {
         return both(said!("no row was written"));
     };
-    vec![against_theory(&seen.columns), against_columns(&seen.columns)]
+    let yielding = YieldingSeen::of(&outcome.state.observers);
+    vec![against_theory(&seen.columns, yielding.as_ref()), against_columns(&seen.columns)]
 }
 
 /// Whether a record that was deconvolved comes out where it was taken.
@@ -123,7 +126,7 @@ pub(super) fn record(evidence: &Evidence) -> Option<TrustLine> {
 }
 
 /// The columns against theory, the worst of those that have some.
-fn against_theory(columns: &[ColumnSeen]) -> TrustLine {
+fn against_theory(columns: &[ColumnSeen], yielding: Option<&YieldingSeen>) -> TrustLine {
     let (id, name) = free_field_theory();
     let none = |why: Said| TrustLine::not_applicable(id, name.clone(), why);
     let known: Vec<_> = columns.iter().filter_map(|column| Some((column, column.theory?))).collect();
@@ -134,7 +137,15 @@ fn against_theory(columns: &[ColumnSeen]) -> TrustLine {
     }
     let elastic: Vec<_> = known.iter().filter(|(column, _)| !column.damaged).collect();
     if elastic.is_empty() {
-        return none(said!("the rock of every column can yield or crack, and the theory is elastic"));
+        let why = said!("the rock of every column can yield or crack, and the theory is elastic");
+        let Some(seen) = yielding else { return none(why) };
+        let line = none(clauses([why, beside_yielding(seen, columns)]));
+        return match seen.found {
+            Ok(strain) => {
+                line.with("surface", seen.peaks[0]).with("equivalent", seen.peaks[1]).with("strain", strain)
+            }
+            Err(_) => line,
+        };
     }
     let shown = elastic.iter().filter(|(_, theory)| theory.seen >= 0.5 * theory.peak);
     // What is no number is the worst.
@@ -176,6 +187,35 @@ fn against_theory(columns: &[ColumnSeen]) -> TrustLine {
         .with_note(note)
 }
 
+/// What the equivalent-linear column says of ground that yields: nothing to judge by.
+fn beside_yielding(seen: &YieldingSeen, columns: &[ColumnSeen]) -> Said {
+    let percent = |strain: f64| format!("{:.3} %", 100.0 * strain);
+    let speed = |v: f64| format!("{v:.3} m/s");
+    match seen.found {
+        Ok(strain) => said!(
+            "an equivalent-linear column of the same laws has at most {theory} at its surface, column '{column}' {run} in the rows; its layers \
+             shear by up to {strain}",
+            theory = speed(seen.peaks[1]),
+            column = columns.get(seen.column).map_or("", |column| &column.name),
+            run = speed(seen.peaks[0]),
+            strain = percent(strain),
+        ),
+        Err(NoColumn::Strained(strain)) => said!(
+            "nor is there an equivalent-linear column, since a layer of it would shear by {strain}, beyond {most}",
+            strain = percent(strain),
+            most = percent(MOST_STRAIN),
+        ),
+        Err(NoColumn::Restless) => {
+            said!(
+                "nor is there an equivalent-linear column, since no moduli fit the strain that they lead to"
+            )
+        }
+        Err(NoColumn::Law) => said!(
+            "nor is there an equivalent-linear column, since a law of this ground has no curves of modulus and damping against strain"
+        ),
+    }
+}
+
 /// The model's own corners against the columns that stand for them, the worst of all.
 fn against_columns(columns: &[ColumnSeen]) -> TrustLine {
     let (id, name) = model_against_free_field();
@@ -214,17 +254,17 @@ mod tests {
     #[test]
     fn the_worst_column_and_end_are_named_and_fail_for_all() {
         let good = [column("xmin-ymin", [0.02, 0.01]), column("xmin-ymax", [0.01, 0.03])];
-        let line = against_theory(&good);
+        let line = against_theory(&good, None);
         assert!(line.pass && (line.value - 0.015).abs() < 1e-15, "{line:?}");
         assert!(line.note.contains("the base of column 'xmin-ymax'"), "{}", line.note);
         for bad in [[0.2, 0.01], [f64::NAN, 0.01]] {
             let mut columns = good.to_vec();
             columns.insert(1, column("ymin-xmax", bad));
-            let line = against_theory(&columns);
+            let line = against_theory(&columns, None);
             assert!(!line.pass && line.note.contains("the top of column 'ymin-xmax'"), "{line:?}");
             // Elastic theory is not for ground that yields.
             columns[1].damaged = true;
-            let line = against_theory(&columns);
+            let line = against_theory(&columns, None);
             assert!(line.pass && line.note.contains("the worst of 2 columns of 3"), "{line:?}");
         }
     }
@@ -233,12 +273,12 @@ mod tests {
     fn theory_that_is_not_there_is_no_pass_without_a_reason() {
         let mut lone = column("reference", [0.02, 0.01]);
         lone.damaged = true;
-        assert!(against_theory(&[lone.clone()]).note.contains("can yield or crack"));
+        assert!(against_theory(&[lone.clone()], None).note.contains("can yield or crack"));
         lone.theory = None;
-        assert!(against_theory(&[lone]).note.contains("an interface runs through"));
+        assert!(against_theory(&[lone], None).note.contains("an interface runs through"));
         let mut few = column("reference", [0.02, 0.01]);
         few.theory.as_mut().unwrap().seen = 0.1;
-        let line = against_theory(&[few]);
+        let line = against_theory(&[few], None);
         assert!(line.not_applicable && line.note.contains("too few"), "{line:?}");
     }
 

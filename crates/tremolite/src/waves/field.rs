@@ -4,7 +4,7 @@ use super::answered::{Signal, components};
 use super::grid::Grid;
 use super::ground::LayeredGround;
 use super::heading::{Heading, WaveType};
-use super::heights::{self, AtHeights, find};
+use super::heights::{self, AtHeights, Heights};
 use super::series::{Rings, Series, arrives, bytes};
 use std::sync::{Arc, OnceLock};
 use tremolite_engine::free_field::GivenField;
@@ -82,9 +82,9 @@ pub struct ObliqueField {
 
 /// What is at hand for the heights that a model asks for.
 struct Prepared {
-    /// Above the base \[m\], rising: where displacements are asked for, and where stresses are.
-    nodes: Vec<f64>,
-    points: Vec<f64>,
+    /// Above the base: where displacements are asked for, and where stresses are.
+    nodes: Heights,
+    points: Heights,
     /// Of each wave both.
     waves: Vec<[AtHeights; 2]>,
 }
@@ -173,25 +173,37 @@ impl ObliqueField {
     }
 }
 
-impl GivenField for ObliqueField {
-    fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
+/// A height that is asked for: by its number where it was named beforehand.
+#[derive(Clone, Copy)]
+enum At<'a> {
+    Ready(&'a Prepared, usize),
+    Above(f64),
+}
+
+impl ObliqueField {
+    /// Where displacements are asked for, or stresses.
+    fn level(&self, z: f64, of: fn(&Prepared) -> &Heights) -> At<'_> {
+        let height = z - self.base;
+        let ready = self.prepared.get().and_then(|ready| Some((ready, of(ready).find(height)?)));
+        ready.map_or(At::Above(height), |(ready, number)| At::Ready(ready, number))
+    }
+
+    /// Displacement \[m\] at a level and a time of each wave's series \[s\].
+    fn moved(&self, level: At, time: impl Fn(&OneWave) -> f64) -> [f64; 3] {
         let mut out = [0.0; 3];
-        let height = at[2] - self.base;
-        let ready =
-            self.prepared.get().and_then(|ready| Some((ready, find(&ready.nodes, height, self.height)?)));
         for (k, wave) in self.waves.iter().enumerate() {
-            let (time, [hx, hy]) = (self.time(wave, at, time), wave.heading.along);
+            let (time, [hx, hy]) = (time(wave), wave.heading.along);
             if wave.heading.kind == WaveType::Sh {
-                let [u] = match ready {
-                    Some((ready, number)) => ready.waves[k][0].at(number, time),
-                    None => wave.series.displacement(height, time),
+                let [u] = match level {
+                    At::Ready(ready, number) => ready.waves[k][0].at(number, time),
+                    At::Above(height) => wave.series.displacement(height, time),
                 };
                 out[0] -= hy * u;
                 out[1] += hx * u;
             } else {
-                let [along, up] = match ready {
-                    Some((ready, number)) => ready.waves[k][0].at(number, time),
-                    None => wave.series.displacement(height, time),
+                let [along, up] = match level {
+                    At::Ready(ready, number) => ready.waves[k][0].at(number, time),
+                    At::Above(height) => wave.series.displacement(height, time),
                 };
                 out[0] += hx * along;
                 out[1] += hy * along;
@@ -200,26 +212,38 @@ impl GivenField for ObliqueField {
         }
         out
     }
+}
+
+impl GivenField for ObliqueField {
+    fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
+        self.moved(self.level(at[2], |ready| &ready.nodes), |wave| self.time(wave, at, time))
+    }
+
+    fn velocity(&self, at: [f64; 3], time: f64, dt: f64) -> [f64; 3] {
+        // The height is found once for both.
+        let level = self.level(at[2], |ready| &ready.nodes);
+        let [before, after] =
+            [time - dt, time + dt].map(|time| self.moved(level, |wave| self.time(wave, at, time)));
+        [0, 1, 2].map(|i| (after[i] - before[i]) / (2.0 * dt))
+    }
 
     fn stress(&self, at: [f64; 3], time: f64) -> [f64; 6] {
         let mut out = [0.0; 6];
-        let height = at[2] - self.base;
-        let ready =
-            self.prepared.get().and_then(|ready| Some((ready, find(&ready.points, height, self.height)?)));
+        let level = self.level(at[2], |ready| &ready.points);
         for (k, wave) in self.waves.iter().enumerate() {
             let (time, [x, y]) = (self.time(wave, at, time), wave.heading.along);
             let own = if wave.heading.kind == WaveType::Sh {
                 // t = (−y, x).
-                let [along, up] = match ready {
-                    Some((ready, number)) => ready.waves[k][1].at(number, time),
-                    None => wave.series.stress(height, time),
+                let [along, up] = match level {
+                    At::Ready(ready, number) => ready.waves[k][1].at(number, time),
+                    At::Above(height) => wave.series.stress(height, time),
                 };
                 let twice = 2.0 * x * y * along;
                 [-twice, twice, 0.0, (x * x - y * y) * along, x * up, -y * up]
             } else {
-                let [hh, tt, zz, hz] = match ready {
-                    Some((ready, number)) => ready.waves[k][1].at(number, time),
-                    None => wave.series.stress(height, time),
+                let [hh, tt, zz, hz] = match level {
+                    At::Ready(ready, number) => ready.waves[k][1].at(number, time),
+                    At::Above(height) => wave.series.stress(height, time),
                 };
                 [x * x * hh + y * y * tt, y * y * hh + x * x * tt, zz, x * y * (hh - tt), y * hz, x * hz]
             };
@@ -229,17 +253,14 @@ impl GivenField for ObliqueField {
     }
 
     fn prepare(&self, nodes: &[f64], points: &[f64]) {
-        let above = |heights: &[f64]| -> Vec<f64> {
-            let mut all: Vec<f64> = heights.iter().map(|z| z - self.base).collect();
-            all.sort_by(f64::total_cmp);
-            all.dedup_by(|a, b| *a - *b <= 1e-9 * self.height);
-            all
-        };
+        let above =
+            |heights: &[f64]| Heights::new(heights.iter().map(|z| z - self.base).collect(), self.height);
         let (nodes, points) = (above(nodes), above(points));
         let takes = |wave: &OneWave| {
             let [moved, pulled] = components(wave.heading.kind);
             let samples = wave.series.samples();
-            heights::bytes(nodes.len(), samples, moved) + heights::bytes(points.len(), samples, pulled)
+            heights::bytes(nodes.all().len(), samples, moved)
+                + heights::bytes(points.all().len(), samples, pulled)
         };
         if self.waves.iter().any(|wave| takes(wave) > MOST_PREPARED * wave.series.bytes()) {
             return;
@@ -247,7 +268,7 @@ impl GivenField for ObliqueField {
         self.prepared.get_or_init(|| {
             let of = |wave: &OneWave| {
                 [(&nodes, false), (&points, true)]
-                    .map(|(heights, stresses)| AtHeights::of(&wave.series, heights, stresses))
+                    .map(|(heights, stresses)| AtHeights::of(&wave.series, heights.all(), stresses))
             };
             let waves = self.waves.iter().map(of).collect();
             Prepared { nodes, points, waves }

@@ -2,12 +2,16 @@
 
 use crate::ready::Ready;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use tremolite::observers::FreeFieldSeen;
 use tremolite::plan::Plan;
 use tremolite::run::{Control, run};
 use tremolite::simulation::{Built, Simulation, Start};
-use tremolite::{AnyMaterial, Base, Body, Incident, Problem, Quadrature, Rayleigh, Side, Top, elastic, laws};
+use tremolite::state::Memory;
+use tremolite::{
+    AnyMaterial, Base, Body, Incident, Model, Problem, Quadrature, Rayleigh, Side, Top, elastic, laws,
+};
 use tremolite_laws::band::Band;
 use tremolite_laws::{Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
@@ -15,7 +19,7 @@ use tremolite_motion::{Motion, ricker_velocity};
 use tremolite_results::{ResultFolder, Table};
 
 /// 30 m of soil on 20 m of rock, `layers` elements in all (a multiple of 5), under a pulse of 8 Hz along all three axes.
-fn ground(layers: u32) -> Problem {
+pub fn ground(layers: u32) -> Problem {
     let mesh = BoxSpec::uniform([0.0; 3], [4.0, 4.0, 50.0], [2, 2, layers]).mesh().unwrap();
     let (rock, soil): (Vec<u32>, Vec<u32>) =
         (0..mesh.elements.len() as u32).partition(|&e| tremolite::hexahedra::centroid(&mesh, e)[2] < 20.0);
@@ -38,7 +42,7 @@ fn ground(layers: u32) -> Problem {
 }
 
 /// Material of the soil with a law of the list; with damping over a band if there is one.
-fn soil(law: &str, values: &Values, band: Option<Band>) -> std::sync::Arc<dyn AnyMaterial> {
+pub fn soil(law: &str, values: &Values, band: Option<Band>) -> Arc<dyn AnyMaterial> {
     let law = laws().into_iter().find(|known| known.info.name == law).unwrap();
     let made = band.map_or_else(|| (law.build)(values), |band| (law.build_banded)(values, band));
     made.unwrap_or_else(|_| panic!("{}", law.info.name))
@@ -46,6 +50,13 @@ fn soil(law: &str, values: &Values, band: Option<Band>) -> std::sync::Arc<dyn An
 
 /// free_field.csv of a run, and what was seen.
 fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
+    let (results, model, memory) = outcome(problem, folder);
+    let seen = FreeFieldSeen::of(&model, &memory).unwrap();
+    (Table::read(&results.free_field()).unwrap(), seen)
+}
+
+/// The results of a run, its model, and what its observers remember.
+pub fn outcome(problem: Problem, folder: &Path) -> (ResultFolder, Arc<Model>, Memory) {
     let plan = Plan {
         page: tremolite_results::PageWish::default(),
         boundaries: Default::default(),
@@ -75,8 +86,7 @@ fn shaken(problem: Problem, folder: &Path) -> (Table, FreeFieldSeen) {
         Simulation::new(&Built::of(&model, &assembly, &phase), &plan, &results, Start::Rest, Vec::new())
             .and_then(|simulation| run(simulation, &mut control))
             .unwrap();
-    let seen = FreeFieldSeen::of(&model, &outcome.state.observers).unwrap();
-    (Table::read(&results.free_field()).unwrap(), seen)
+    (results, model, outcome.state.observers)
 }
 
 fn error(problem: Problem) -> f64 {

@@ -50,3 +50,4 @@ mod water;
 mod waves_at_angles;
 mod waves_jointed;
 mod waves_resumed;
+mod yielding_column;

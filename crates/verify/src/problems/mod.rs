@@ -31,6 +31,7 @@ macro_rules! problems {
         }
     };
     (@test $name:ident Verify) => {};
+    (@test $name:ident Full) => {};
 }
 
 // A problem's file, and the effort at which it begins: one of the tests is a test by this line.
@@ -48,6 +49,7 @@ problems! {
     layer_transfer Test,
     recorded_motion Test,
     oblique_waves Test,
+    oblique_unbounded Full,
     free_field_tunnel Test,
     mirror_image Test,
     box_size Verify,

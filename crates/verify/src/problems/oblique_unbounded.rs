@@ -1,0 +1,226 @@
+//! How much of the errors of `oblique_waves` the mesh makes by itself: the same box without boundaries.
+//!
+//! In a mesh that goes on around the box, and whose nodes in the box are put the forces that the exact field lacks there to obey the scheme,
+//! the exact field less the model's is what lumped masses, one-point elements and finite steps make of the wave on its way through the box,
+//! and of its reflection at the surface. It runs away on all sides: no boundary drives it, and none is near. A boundary without any error
+//! of its own would leave this. Boundaries that are driven by the exact field may leave less, since they pull a late wave on.
+//!
+//! Forces of nodes on a face of the box count half, on an edge a quarter, since as much of their elements is the box's.
+
+use super::oblique_waves::{GROUNDS, LARGE, Way, field_in, outer, pulse};
+use crate::convergence::order;
+use crate::lattice::Lattice;
+use crate::simulation::{Simulation, whole_steps};
+use crate::{Check, Effort, Verification, VerifyError};
+use std::collections::HashMap;
+use std::sync::Arc;
+use tremolite::free_field::GivenField;
+use tremolite::waves::{LayeredGround, ObliqueField, Rock, Stratum, WaveType};
+use tremolite::{Base, Problem, Side, State, Top};
+use tremolite_laws::Row;
+use tremolite_mesh::boxes::BoxSpec;
+
+const NAME: &str = "oblique_unbounded";
+
+pub const PROBLEM: Verification = Verification {
+    name: NAME,
+    summary: "errors of oblique_waves that the mesh makes by itself: the same box without boundaries",
+    source: "the exact field's residual in the scheme, radiated by a mesh that goes on",
+    from: Effort::Full,
+    run,
+};
+
+/// Elements of the mesh around the box on each side, of those where the errors run away and of those in which residuals are found.
+const AROUND: u32 = 14;
+const RING: u32 = 1;
+
+fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
+    let mut checks = Vec::new();
+    for way in [(WaveType::Sv, 55.0, 30.0), (WaveType::P, 50.0, 30.0), (WaveType::Sv, 0.0, 90.0)] {
+        let (kind, angle, azimuth) = way;
+        let of = format!("{} at {angle}° towards {azimuth}° in rock", kind.word());
+        let [coarse, fine] = [errors(way, 1)?, errors(way, 2)?];
+        for (at, place) in ["off the edges of the box", "at edges and corners"].into_iter().enumerate() {
+            let quantity = format!("largest error {place} without any boundary, {of}");
+            let note = "for information: beside it that of the box with its boundary";
+            let p = order(coarse.unbounded[at], fine.unbounded[at], 2.0);
+            checks.push(Check::beside(NAME, quantity, coarse.unbounded[at], coarse.bounded[at], "1", note));
+            let quantity = format!("order in h of the error {place} without any boundary, {of}");
+            checks.push(Check::new(NAME, quantity, p, 2.0, 0.1, "1", "what is wrong of the scheme is of order 2"));
+            let quantity = format!("what the boundary adds {place}, {of}");
+            let p = order(coarse.own[at], fine.own[at], 2.0);
+            let note = "for information: the box with its boundary less that without";
+            checks.push(Check::beside(NAME, quantity, coarse.own[at], coarse.unbounded[at], "1", note).with_order(p));
+        }
+    }
+    checks.extend(straight_up()?);
+    Ok(checks)
+}
+
+/// Over the field's largest displacement, off the edges of the box and on them.
+struct Errors {
+    /// Of the box with its boundary, and without any; and the difference of the two.
+    bounded: [f64; 2],
+    unbounded: [f64; 2],
+    own: [f64; 2],
+}
+
+/// Rock of a box with so many elements around it on all sides but above, in which no wave comes in.
+fn surrounded(finer: u32, around: u32) -> Result<Problem, VerifyError> {
+    let ground = &GROUNDS[0];
+    let mut problem = ground.problem(LARGE, finer)?;
+    let (size, pad) = (ground.size(LARGE), f64::from(around) * ground.element() / f64::from(finer));
+    let cells = [0, 1, 2].map(|i| LARGE[i] * finer + if i == 2 { around } else { 2 * around });
+    problem.mesh =
+        BoxSpec::uniform([-pad; 3], [size[0] + pad, size[1] + pad, size[2]], cells).mesh()?;
+    problem.bodies[0].elements = (0..problem.mesh.elements.len() as u32).collect();
+    problem.base = Base::Viscous;
+    problem.sides = [Side::Viscous; 2];
+    Ok(problem)
+}
+
+/// The field in the box and an element around it.
+fn field(problem: &Problem, finer: u32, way: Way) -> Result<ObliqueField, VerifyError> {
+    let ground = &GROUNDS[0];
+    let (size, ring) = (ground.size(LARGE), f64::from(RING) * ground.element() / f64::from(finer));
+    let stratum = Stratum {
+        thickness: size[2] + ring,
+        rock: Rock::of(&problem.bodies[0], problem.rayleigh),
+    };
+    let layered =
+        LayeredGround::new([stratum], Top::Free).ok_or_else(|| VerifyError::Setup("no layers".into()))?;
+    field_in(layered, [[-ring; 3], [size[0] + ring, size[1] + ring, size[2]]], way)
+}
+
+/// Nodes by place, in thousandths of an element.
+fn by_place(simulation: &Simulation, element: f64) -> HashMap<[i64; 3], usize> {
+    let place = |n: usize| simulation.position(n).map(|x| (1e3 * x / element).round() as i64);
+    (0..simulation.model.mesh_node.len()).map(|n| (place(n), n)).collect()
+}
+
+fn errors(way: Way, finer: u32) -> Result<Errors, VerifyError> {
+    let ground = &GROUNDS[0];
+    let (size, element) = (ground.size(LARGE), ground.element() / f64::from(finer));
+    let mut bounded = ground.problem(LARGE, finer)?;
+    let field = Arc::new(field(&bounded, finer, way)?);
+    bounded.free_field = Some(field.clone());
+    let bounded = Simulation::on_one_level(bounded)?;
+    let near = Simulation::on_one_level(surrounded(finer, RING)?)?;
+    let far = Simulation::on_one_level(surrounded(finer, AROUND * finer)?)?;
+    let (_, duration) = pulse(0)?;
+    let stable = [&bounded, &near, &far].map(Simulation::stable).into_iter().fold(f64::INFINITY, f64::min);
+    let (steps, dt) = whole_steps(field.lead() + duration, 0.9 * stable);
+
+    // Of each node of the box: its numbers in the three meshes, whether it is on an edge, and the share of its forces.
+    let [in_near, in_far] = [&near, &far].map(|simulation| by_place(simulation, element));
+    let mut nodes = Vec::new();
+    for (place, &n) in &by_place(&bounded, element) {
+        let at = bounded.position(n);
+        let [Some(&near), Some(&far)] = [in_near.get(place), in_far.get(place)] else {
+            return Err(VerifyError::Setup("a node of the box is not in the mesh around it".into()));
+        };
+        // The surface is where the ground ends.
+        let faces = outer(size, at) - usize::from(at[2] > size[2] - 1e-6);
+        nodes.push((n, near, far, usize::from(outer(size, at) > 1), 0.5_f64.powi(faces as i32)));
+    }
+    let places: Vec<[f64; 3]> = (0..near.model.mesh_node.len()).map(|n| near.position(n)).collect();
+    let exact = |time: f64| -> Vec<[f64; 3]> { places.iter().map(|&at| field.displacement(at, time)).collect() };
+
+    let rest = |simulation: &Simulation| {
+        let mut engine = simulation.engine();
+        let state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
+        (engine, state)
+    };
+    let [(mut in_box, mut shaken), (mut in_ring, mut one), (mut outside, mut lag)] =
+        [&bounded, &near, &far].map(rest);
+    let (mut before, mut now) = (exact(-dt), exact(0.0));
+    let (mut peak, mut worst) = (0.0_f64, [[0.0_f64; 2]; 3]);
+    for step in 0..steps {
+        let after = exact((step + 1) as f64 * dt);
+        in_box.step(&mut shaken);
+        // One step from the exact field, in the mesh with one element around.
+        set(&mut one, &before, &now);
+        in_ring.step(&mut one);
+        outside.step(&mut lag);
+        for &(n, near, far, edge, share) in &nodes {
+            for i in 0..3 {
+                let wrong = share * (after[near][i] - one.u[near].0[i]);
+                lag.u[far].0[i] += wrong;
+                lag.du[far].0[i] += wrong;
+                let (without, with) = (lag.u[far].0[i], after[near][i] - shaken.u[n].0[i]);
+                for (worst, error) in worst.iter_mut().zip([with, without, with - without]) {
+                    worst[edge] = worst[edge].max(error.abs());
+                    if error.is_nan() {
+                        return Err(VerifyError::Setup("an error is no number".into()));
+                    }
+                }
+                peak = peak.max(after[near][i].abs());
+            }
+        }
+        (before, now) = (now, after);
+    }
+    let [bounded, unbounded, own] = worst.map(|of| of.map(|most| most / peak));
+    Ok(Errors { bounded, unbounded, own })
+}
+
+/// Puts a state where the field was a step before and is now.
+fn set(state: &mut State, before: &[[f64; 3]], now: &[[f64; 3]]) {
+    state.u = now.iter().map(|u| Row::new(*u)).collect();
+    let change = |(now, before): (&[f64; 3], &[f64; 3])| Row::new([0, 1, 2].map(|i| now[i] - before[i]));
+    state.du = now.iter().zip(before).map(change).collect();
+}
+
+/// Straight up, where elements are a chain of masses: that on the dashpot of a base, and that without an end.
+fn straight_up() -> Result<Vec<Check>, VerifyError> {
+    let ground = &GROUNDS[0];
+    let (motion, duration) = pulse(0)?;
+    let mut found = Vec::new();
+    for finer in [1, 2] {
+        let element = ground.element() / f64::from(finer);
+        let (_, speed, density) = ground.layers[0];
+        let chain = Lattice {
+            mass: density * element,
+            spring: density * speed * speed / element,
+            dashpot: density * speed,
+            cells: (LARGE[2] * finer) as usize,
+        };
+        // As in a box, whose step goes by waves of compression; ν = 0.3.
+        let (steps, dt) = whole_steps(duration, 0.9 * element / (speed * 3.5_f64.sqrt()));
+        let height = f64::from(LARGE[2] * finer) * element;
+        let field = |k: i64, time: f64| {
+            let way = |z: f64| motion.at((time - z / speed).max(0.0)).u[0];
+            let z = k as f64 * element;
+            way(z) + way(2.0 * height - z)
+        };
+        let lag = chain.lag(field, dt, steps);
+        let mut driven = vec![vec![0.0; chain.cells + 1]];
+        driven.extend(chain.shaken(&motion, dt, steps));
+        let (mut peak, mut worst) = (0.0_f64, [0.0_f64; 3]);
+        for (step, (driven, lag)) in driven.iter().zip(&lag).enumerate() {
+            for (k, (u, lag)) in driven.iter().zip(lag).enumerate() {
+                let exact = field(k as i64, step as f64 * dt);
+                let with = exact - u;
+                for (worst, error) in worst.iter_mut().zip([with, *lag, with - lag]) {
+                    *worst = worst.max(error.abs());
+                }
+                peak = peak.max(exact.abs());
+            }
+        }
+        found.push(worst.map(|most| most / peak));
+    }
+    let (coarse, fine) = (found[0], found[1]);
+    let said = [
+        ("a chain of masses straight up on the dashpot of a base", "for information: from theory, as today's base errs"),
+        ("the same chain without an end below", "for information: from theory, what the mesh makes by itself"),
+        ("the one less the other", "for information: by so much a base without an error of its own would differ from today's"),
+    ];
+    let each = (0..3).flat_map(|k| {
+        let (quantity, note) = said[k];
+        let p = order(coarse[k], fine[k], 2.0);
+        [
+            Check::beside(NAME, quantity, coarse[k], coarse[0], "1", note),
+            Check::new(NAME, format!("order in h of {quantity}"), p, 2.0, 0.1, "1", "order 2"),
+        ]
+    });
+    Ok(each.collect())
+}
