@@ -67,18 +67,15 @@ impl MapRow {
         let above = if title.is_empty() { 0.0 } else { TITLE };
         let (mut at, mut end) = ((LEFT, (above + line).max(8.0)), (0.0, 0.0));
         let top = at.1;
-        // Beside other maps a name has its map's width; on a narrow figure all up to the bar. All are as large as the longest can be.
-        let narrow = self.width < WIDTH && !self.beside;
-        let room = |frame: &Frame| match (self.beside, narrow) {
-            (true, _) => frame.size().0,
-            (_, true) => LEFT - EDGE + frame.size().0,
-            _ => self.width - LEFT,
-        };
-        let size = maps.iter().map(|(name, frame)| room(frame) / text_width(name, 1.0)).fold(13.0, f64::min);
         for (k, (name, frame)) in maps.iter().enumerate() {
             frame.paint(&mut svg, at, k == 0 || !self.beside);
             let (width, height) = frame.size();
-            svg.text((if narrow { EDGE } else { at.0 }, at.1 - 8.0), Anchor::Start, size, Style::Plain, name);
+            // Beside other maps a name has its map's width; on a narrow figure all up to the bar.
+            let narrow = self.width < WIDTH && !self.beside;
+            let from = if narrow { EDGE } else { at.0 };
+            let room = if self.beside || narrow { at.0 + width - from } else { self.width - LEFT };
+            let size = 13.0 * (room / text_width(name, 13.0)).min(1.0);
+            svg.text((from, at.1 - 8.0), Anchor::Start, size, Style::Plain, name);
             end = (at.0 + width, at.1 + height);
             let words = if k == 0 || !self.beside { "x (m), z (m)" } else { "x (m)" };
             svg.text((end.0, end.1 + 36.0), Anchor::End, 12.0, Style::Muted, words);

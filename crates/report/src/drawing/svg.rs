@@ -194,16 +194,19 @@ impl Svg {
         ASIDE + text_width(name, NAMED) + 2.0
     }
 
-    /// A named dot on a map, legible on any colour; its name stands to the right, or turned to the left.
-    pub fn label(&mut self, at: (f64, f64), name: &str, turned: bool) {
-        let (side, anchor) = if turned { (-ASIDE, " text-anchor=\"end\"") } else { (ASIDE, "") };
+    /// A named dot on a map, legible on any colour; its name stands to the right and above, or ends at an edge.
+    pub fn label(&mut self, at: (f64, f64), name: &str, edge: Option<f64>) {
+        let (x, anchor) = match edge {
+            Some(edge) => (edge - 2.0, " text-anchor=\"end\""),
+            None => (at.0 + ASIDE, ""),
+        };
         self.put(format_args!(
             "<circle cx=\"{0}\" cy=\"{1}\" r=\"4\" fill=\"#fff\" stroke=\"#1f2933\" stroke-width=\"1.6\"/>\
              <text x=\"{2}\" y=\"{3}\"{4} font-size=\"{NAMED}\" font-weight=\"600\" fill=\"#1f2933\" stroke=\"#fff\" \
              stroke-width=\"3.5\" paint-order=\"stroke\">{5}</text>",
             Short(at.0),
             Short(at.1),
-            Short(at.0 + side),
+            Short(x),
             Short(at.1 - 6.0),
             anchor,
             escape(name)

@@ -1,12 +1,12 @@
 //! How wide the crack is of a piece of lining that was pulled apart along its ring and then through its thickness.
 //!
-//! A block of 2 m along the ring and 0.5 m through the thickness, one element long and one, two or four thick, cracks along one edge
-//! by a tenth of a millimetre and is then pulled apart along the other by 6 mm. Its faces are led, so what they go apart is known. No more than
-//! f_t L/E of it is elastic: that is the tolerance. Through the thickness the way is the sum over the elements in a row, and most of it
-//! is the crack of the weakest; along the ring each of them opens by all of it.
+//! A block of 2 m along the ring and 0.5 m through the thickness, one element long and one, two or four thick, of which one is half as
+//! strong, is stretched along one edge until that element alone has cracked, and then pulled apart along the other by 6 mm. Its faces are
+//! led, so what they go apart is known, and no more than f_t L/E of it is elastic: that is the tolerance. Through the thickness all
+//! of it is the crack of the weak element, and the others have none; along the ring each of them opens by all of it.
 //!
-//! The law softens by the extent across the first crack, which stays. Were the width taken across that, it would be 24 mm of the
-//! 6 mm in the first order, and 1.5 mm of them or less in the second.
+//! The law softens by the extent across the first crack, which stays. Were the width taken across that, it would be 24 mm and more of the
+//! 6 mm in the first order, and 1.5 mm or less in the second, where one element is thick.
 
 use crate::concrete::{FT, THRESHOLD, YOUNG, values};
 use crate::models::{LAYERED, QUADRATURES, material};
@@ -30,11 +30,11 @@ pub const PROBLEM: Verification = Verification {
 
 /// Edges \[m\]: ring, cavern, thickness.
 const EDGES: [f64; 3] = [2.0, 1.0, 0.5];
-/// The first way \[m\] beyond the elastic one, and the second.
-const FIRST: f64 = 0.1e-3;
+/// Strain of the first way over the threshold of the others, and the second way \[m\].
+const FIRST: f64 = 0.75;
 const SECOND: f64 = 6e-3;
-/// Strength of the weakest element of several over that of the others.
-const WEAK: f64 = 0.9;
+/// Strength of the weak element over that of the others.
+const WEAK: f64 = 0.5;
 const DENSITY: f64 = 2752.0;
 
 fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
@@ -62,10 +62,8 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
                     add("narrowest crack", least, elastic, note);
                     continue;
                 }
+                add("widest crack", widest, elastic, note);
                 add("sum of cracks", widths.iter().sum(), elastic, note);
-                let note = "5 %: the others keep a little of their first crack's softening open";
-                let (tolerance, note) = if thick == 1 { (elastic, "f_t L/E") } else { (0.05 * SECOND, note) };
-                add("widest crack", widest, tolerance, note);
             }
         }
     }
@@ -81,8 +79,7 @@ fn widths(quadrature: Quadrature, thick: u32, axes: [usize; 2]) -> Result<Vec<f6
         let material = material(Concrete::NAME, &values)?;
         Ok(Body { name: name.into(), elements, material, density: DENSITY, quadrature, viscosity: 0.06 })
     };
-    let weak = if thick == 1 { 1.0 } else { WEAK };
-    let mut bodies = vec![body("weak", vec![thick / 2], weak * FT)?];
+    let mut bodies = vec![body("weak", vec![thick / 2], WEAK * FT)?];
     let rest: Vec<u32> = (0..thick).filter(|&e| e != thick / 2).collect();
     if !rest.is_empty() {
         bodies.push(body("concrete", rest, FT)?);
@@ -91,18 +88,20 @@ fn widths(quadrature: Quadrature, thick: u32, axes: [usize; 2]) -> Result<Vec<f6
     problem.held = (0u32..)
         .zip(&problem.mesh.nodes)
         .map(|(n, x)| {
-            let on = |i: usize| x[i] < 1e-9 || x[i] > EDGES[i] - 1e-9;
-            (n, [on(0), x[1] < 1e-9, on(2)])
+            // Cracked along the ring, elements keep no stiffness through the thickness: then that is led everywhere.
+            let faces = x[2] < 1e-9 || x[2] > EDGES[2] - 1e-9;
+            (n, [true, true, faces || axes[1] == 0])
         })
         .collect();
     let simulation = Simulation::new(problem)?;
     // So slowly that the faces that move add nothing: 200 times the way of a wave through the block, each way.
     let duration = 200.0 * EDGES[0] / (YOUNG / DENSITY).sqrt();
-    let dt = 0.5 * simulation.stable();
+    // Where all is led nothing bounds the step.
+    let dt = (0.5 * simulation.stable()).min(duration / 2_000.0);
     let steps = (duration / dt).ceil();
     let mut engine = simulation.engine();
     let mut state = simulation.start(&mut engine, dt, |_| [[0.0; 3]; 2]);
-    for (axis, way) in [(axes[0], THRESHOLD * EDGES[axes[0]] + FIRST), (axes[1], SECOND)] {
+    for (axis, way) in [(axes[0], FIRST * THRESHOLD * EDGES[axes[0]]), (axes[1], SECOND)] {
         lead(&simulation, &mut state, axis, way / steps);
         for _ in 0..steps as u64 {
             engine.step(&mut state);
@@ -118,7 +117,7 @@ fn widths(quadrature: Quadrature, thick: u32, axes: [usize; 2]) -> Result<Vec<f6
     Ok(slots.map(|slot| slot.as_ref().and_then(widest).unwrap_or(f64::NAN)).collect())
 }
 
-/// Lets all move along an axis as a stretching does, by a way \[m\] a step of its far face, and the faces across other axes stand.
+/// Lets all move along an axis as a stretching does, by a way \[m\] a step of its far face, and along no other.
 fn lead(simulation: &Simulation, state: &mut State, axis: usize, way: f64) {
     for (n, du) in state.du.iter_mut().enumerate() {
         let at = simulation.position(n);
