@@ -220,9 +220,8 @@ pub enum Role {
     MeanDamagePeak,
     /// Extent \[m\] across the crack, from first damage on.
     CrackExtent,
-    /// Largest principal strain of the last step, from first damage on: with the extent and the damage, how far the crack
-    /// is open.
-    CrackStrain,
+    /// Width \[m\] of the widest crack as it is open now, across the element's extent along the crack's present normal.
+    CrackWidth,
     /// Accumulated plastic strain of shear.
     PlasticShear,
     /// Accumulated plastic strain of tension.

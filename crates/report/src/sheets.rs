@@ -55,6 +55,8 @@ struct Signature {
 struct SheetFigure {
     heading: String,
     svg: Value,
+    /// The same for a phone; nothing where one drawing serves all.
+    slim: Value,
 }
 
 /// Figures that a sheet shows, the most telling first, by the beginnings of their files' names.
@@ -98,7 +100,7 @@ pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets
         limits,
         earthquake: earthquake::facts(source, summary),
         model: model::facts(source, summary),
-        spectrum: drawn(sections).into_iter().find(|figure| figure.file == SPECTRUM).map(sheet_figure),
+        spectrum: drawn(sections).into_iter().find(|figure| figure.file == SPECTRUM).map(spectrum),
         signed: signed(language, summary),
         figures: figures(sections),
         parts: parts::table(source, summary),
@@ -160,16 +162,21 @@ fn drawn(sections: &[Placed]) -> Vec<&Figure> {
     all
 }
 
+/// A drawing that begins at the height of those beside it.
+fn set(svg: &str) -> Value {
+    markup(&svg.replacen("<svg ", "<svg preserveAspectRatio=\"xMinYMin meet\" ", 1))
+}
+
+/// One of several side by side.
 fn sheet_figure(figure: &Figure) -> SheetFigure {
-    SheetFigure {
-        heading: figure.heading.clone(),
-        // Drawings side by side begin at one height.
-        svg: markup(&figure.narrow.as_ref().unwrap_or(&figure.svg).replacen(
-            "<svg ",
-            "<svg preserveAspectRatio=\"xMinYMin meet\" ",
-            1,
-        )),
-    }
+    let svg = set(figure.narrow.as_ref().unwrap_or(&figure.svg));
+    SheetFigure { heading: figure.heading.clone(), svg, slim: Value::from("") }
+}
+
+/// One as wide as the sheet, which on a phone gives way to its narrow drawing.
+fn spectrum(figure: &Figure) -> SheetFigure {
+    let slim = figure.narrow.as_ref().map_or_else(|| Value::from(""), |narrow| set(narrow));
+    SheetFigure { heading: figure.heading.clone(), svg: set(&figure.svg), slim }
 }
 
 fn figures(sections: &[Placed]) -> Vec<SheetFigure> {
@@ -197,7 +204,7 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
         say!(language, "Plane waves come in from below; the ground beside the model is that of its sides."),
         say!(
             language,
-            "The width of a single crack depends on the mesh, and is an upper bound where cracks turn parallel to a thin lining; pieces that come loose are not followed."
+            "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; pieces that come loose are not followed."
         ),
     ];
     if summary.parts.sections.is_empty() {

@@ -82,7 +82,7 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     let place = |e: u32| Place { element: model.mesh.element_id(e as usize), at: centroid(&model.mesh, e) };
     let own = group.elements.iter().filter_map(|&e| Some((e, slot(e)?.element as usize)));
     let (element, at) = own.max_by(|a, b| widest[a.1].total_cmp(&widest[b.1]))?;
-    slot(element).and_then(|s| history.with_role(&s, Role::CrackExtent))?;
+    slot(element).and_then(|s| history.with_role(&s, Role::CrackWidth))?;
     // Through an element if all points in a row along the axis are open.
     let open = |&(e, axis): &(u32, usize)| {
         let Some(slot) = slot(e) else { return false };

@@ -69,7 +69,7 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
     let has = |role| laws.iter().any(|history| position(history, role).is_some());
     // Envelopes with their times, onsets and cracks.
     let onsets = MEASURES.iter().filter(|m| has(m.role)).count() as u64;
-    let remembered = 4 + onsets + if has(Role::CrackExtent) { 2 } else { 0 };
+    let remembered = 4 + onsets + if has(Role::CrackWidth) { 2 } else { 0 };
     let state = 8 * (totals.history.end + totals.overstress.end + totals.initial.end)
         + 4 * totals.reference.end
         + totals.numbers.end;
@@ -130,7 +130,7 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
         .filter(|group| group.whole)
         .map(|group| {
             let history = group.body.material.info().history;
-            let roles = MEASURES.iter().map(|m| m.role).chain([Role::CrackExtent]);
+            let roles = MEASURES.iter().map(|m| m.role).chain([Role::CrackWidth]);
             roles.filter(|role| position(history, *role).is_some()).count()
         })
         .sum();
@@ -179,7 +179,7 @@ pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field], pores: Pores)
     let active = |element: &u32| phase.element_slot[*element as usize].is_some();
     let cells = phase.element_slot.iter().flatten().count() as u64;
     let history = || model.user_bodies().iter().flat_map(|body| body.material.info().history);
-    let cracks = history().any(|column| column.role == Role::CrackExtent);
+    let cracks = history().any(|column| column.role == Role::CrackWidth);
     let (mut of_node, mut of_cell) = (0, 0);
     for field in fields {
         let (node, cell) = match field {

@@ -41,6 +41,7 @@ mod derived;
 mod energy;
 mod faults;
 mod grade;
+mod opening;
 mod parameters;
 mod rate;
 mod read;
@@ -118,10 +119,11 @@ const ENERGY_DISSIPATED: usize = 9;
 const ENERGY_CREATED: usize = 10;
 /// Three principal strains, falling.
 const LAST_STRAIN: usize = 11;
-const MEMORY: usize = 14;
+const CRACK_WIDTH: usize = 14;
+const MEMORY: usize = 15;
 
-const fn last_strain(name: &'static str, role: Role) -> Column {
-    Column::with_role(name, "1", role, "principal strain of the last step, once damaged")
+const fn last_strain(name: &'static str) -> Column {
+    Column::new(name, "1", "principal strain of the last step, once damaged")
 }
 
 const COLUMNS: [Column; MEMORY] = [
@@ -151,9 +153,15 @@ const COLUMNS: [Column; MEMORY] = [
         Role::Created,
         "work that the effective split gave out beyond what it took, since it has no potential",
     ),
-    last_strain("last_e1", Role::CrackStrain),
-    last_strain("last_e2", Role::Own),
-    last_strain("last_e3", Role::Own),
+    last_strain("last_e1"),
+    last_strain("last_e2"),
+    last_strain("last_e3"),
+    Column::with_role(
+        "crack_width",
+        "m",
+        Role::CrackWidth,
+        "how far the widest crack is open: strain that the stress does not explain, over the element's extent along it",
+    ),
 ];
 
 impl Concrete {

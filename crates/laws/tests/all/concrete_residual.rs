@@ -3,7 +3,8 @@
 use crate::common::Random;
 use crate::common::concrete::*;
 use tremolite_laws::materials::Concrete;
-use tremolite_laws::{Material, virgin};
+use tremolite_laws::parameter::position;
+use tremolite_laws::{Material, Role, virgin};
 
 /// Of each variant what a random walk of 2,000 steps ended with: stress \[Pa\], D⁺, D⁻, dissipated and created energy \[J/m³\],
 /// in as many digits as tell one number from the next, and a hash of the bits of all steps. Written by the program of before
@@ -33,7 +34,9 @@ fn walk(law: &Concrete) -> String {
         let step = THRESHOLD * (0.05 + 1e-3 * f64::from(n));
         strain = strain.map(|e| 0.995 * e + step * random.symmetric());
         (stress, history) = law.update(&point(2e-4, 0.8), strain, history);
-        for x in stress.iter().chain(&history) {
+        // The width of cracks came later, and nothing goes by it.
+        let (kept, _) = history.split_at(position(Concrete::HISTORY, Role::CrackWidth).unwrap());
+        for x in stress.iter().chain(kept) {
             hash = (hash ^ x.to_bits()).wrapping_mul(0x0100_0000_01b3);
         }
     }

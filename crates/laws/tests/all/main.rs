@@ -9,6 +9,7 @@ mod concrete_paths;
 mod concrete_rates;
 mod concrete_residual;
 mod concrete_strength;
+mod crack_width;
 mod damage_left;
 mod derived;
 mod eigen;

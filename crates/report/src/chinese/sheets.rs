@@ -88,8 +88,8 @@ pub const TEXTS: Texts = &[
         "平面地震波自下部入射；模型以外的围岩与其侧面相同。",
     ),
     (
-        "The width of a single crack depends on the mesh, and is an upper bound where cracks turn parallel to a thin lining; pieces that come loose are not followed.",
-        "单条裂缝的宽度与网格有关，薄衬砌中裂缝转为平行于洞壁处为上限值；脱落的块体不作追踪。",
+        "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; pieces that come loose are not followed.",
+        "裂缝宽度为一个单元内各平行裂缝之和，因而与网格有关；脱落的块体不作追踪。",
     ),
     (
         "No section is judged by a code: [[section]] in the case asks for it. Detailing is not checked.",

@@ -184,7 +184,9 @@ impl Frame {
             svg.shapes(&self.shapes);
         }
         for (name, at) in &self.points {
-            svg.label(*at, name);
+            // A name that would be cut off at the map's edge ends there.
+            let reach = Svg::label_reach(name);
+            svg.label(*at, name, (at.0 + reach > width && reach < width).then_some(width));
         }
         svg.end_map();
         let across = Ticks::within(self.window.low[0], self.window.high[0], (width / 80.0) as usize);
@@ -199,5 +201,36 @@ impl Frame {
             svg.rule((left - 5.0, y), (left, y), true);
             svg.text((left - 9.0, y + 4.0), Anchor::End, 12.0, Style::Muted, label);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Beside the right edge a name would be cut off.
+    #[test]
+    fn the_name_of_a_point_stands_where_there_is_room_for_it() {
+        let window = || Window { low: [0.0; 2], high: [40.0, 30.0] };
+        for (x, ends) in [(20.0, false), (39.0, true), (0.5, false)] {
+            let mut frame = Frame::new(window(), (0.0, 1.0), (160.0, 120.0));
+            frame.point("F", [x, 15.0]);
+            let mut svg = Svg::new(200.0);
+            frame.paint(&mut svg, (0.0, 0.0), false);
+            let drawn = svg.finish(150.0, "", "");
+            let (text, _) = drawn.split_once(">F</text>").unwrap();
+            let (_, text) = text.rsplit_once("<text").unwrap();
+            assert_eq!(
+                text.contains("x=\"158\"") && text.contains("text-anchor=\"end\""),
+                ends,
+                "{x}: {text}"
+            );
+        }
+        // On a map narrower than the name it stays, cut off or not.
+        let mut frame = Frame::new(window(), (0.0, 1.0), (16.0, 12.0));
+        frame.point("monitor 12", [39.0, 15.0]);
+        let mut svg = Svg::new(200.0);
+        frame.paint(&mut svg, (0.0, 0.0), false);
+        assert!(!svg.finish(150.0, "", "").contains("text-anchor=\"end\""));
     }
 }

@@ -49,6 +49,10 @@ pub struct Svg {
     body: String,
 }
 
+/// Between a dot and its name, and the size of that.
+const ASIDE: f64 = 7.0;
+const NAMED: f64 = 14.0;
+
 impl Svg {
     pub fn new(width: f64) -> Self {
         Svg { width, body: String::new() }
@@ -185,16 +189,26 @@ impl Svg {
         self.put("\"/>");
     }
 
-    /// A named dot on a map, legible on any colour.
-    pub fn label(&mut self, at: (f64, f64), name: &str) {
+    /// How far the name of a dot reaches to its side, its light edge included.
+    pub fn label_reach(name: &str) -> f64 {
+        ASIDE + text_width(name, NAMED) + 2.0
+    }
+
+    /// A named dot on a map, legible on any colour; its name stands to the right and above, or ends at an edge.
+    pub fn label(&mut self, at: (f64, f64), name: &str, edge: Option<f64>) {
+        let (x, anchor) = match edge {
+            Some(edge) => (edge - 2.0, " text-anchor=\"end\""),
+            None => (at.0 + ASIDE, ""),
+        };
         self.put(format_args!(
             "<circle cx=\"{0}\" cy=\"{1}\" r=\"4\" fill=\"#fff\" stroke=\"#1f2933\" stroke-width=\"1.6\"/>\
-             <text x=\"{2}\" y=\"{3}\" font-size=\"14\" font-weight=\"600\" fill=\"#1f2933\" stroke=\"#fff\" \
-             stroke-width=\"3.5\" paint-order=\"stroke\">{4}</text>",
+             <text x=\"{2}\" y=\"{3}\"{4} font-size=\"{NAMED}\" font-weight=\"600\" fill=\"#1f2933\" stroke=\"#fff\" \
+             stroke-width=\"3.5\" paint-order=\"stroke\">{5}</text>",
             Short(at.0),
             Short(at.1),
-            Short(at.0 + 7.0),
+            Short(x),
             Short(at.1 - 6.0),
+            anchor,
             escape(name)
         ));
     }

@@ -5,7 +5,7 @@ use tremolite_results::Table;
 use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
 use crate::drawing::period_axis::{axis, place};
-use crate::drawing::plot::{self, Pen, PlotCurve, RIGHT, WIDTH};
+use crate::drawing::plot::{self, NARROW, Pen, PlotCurve, RIGHT, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg};
 use crate::drawing::ticks::Ticks;
 use crate::language::{Language, say};
@@ -112,14 +112,14 @@ pub fn figure(
         words,
         period: say!(language, "period"),
     };
-    let svg = sheet.draw(title);
+    let [svg, narrow] = [(WIDTH, sheet.abreast), (NARROW, 1)].map(|size| sheet.draw(title, size));
     Figure {
         heading: String::new(),
         file,
         svg,
         caption: String::new(),
         curves: Some(sheet.curves(title)),
-        narrow: None,
+        narrow: Some(narrow),
     }
 }
 
@@ -144,12 +144,13 @@ struct SpectraDrawing {
 }
 
 impl SpectraDrawing {
-    fn draw(&self, title: &str) -> String {
-        let mut svg = Svg::new(WIDTH);
-        let wide = (WIDTH - RIGHT + APART) / self.abreast as f64;
+    /// So wide, with so many pairs of axes abreast.
+    fn draw(&self, title: &str, (width, abreast): (f64, usize)) -> String {
+        let mut svg = Svg::new(width);
+        let wide = (width - RIGHT + APART) / abreast as f64;
         let legend = self.cells.first().map_or(&[][..], |cell| &cell.curves);
-        let mut top = plot::title(&mut svg, (LEFT, 0.0), WIDTH - LEFT - RIGHT, &self.words, legend);
-        for line in self.cells.chunks(self.abreast) {
+        let mut top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, &self.words, legend);
+        for line in self.cells.chunks(abreast) {
             for (k, cell) in line.iter().enumerate() {
                 let mut drawn = cell.curves.clone();
                 for curve in &mut drawn {
@@ -172,7 +173,7 @@ impl SpectraDrawing {
             top += 24.0 + HEIGHT + 24.0;
         }
         let below = format!("{} (s)", self.period);
-        svg.text((WIDTH - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, &below);
+        svg.text((width - RIGHT, top + 8.0), Anchor::End, 12.0, Style::Muted, &below);
         svg.finish(top + 16.0, title, &self.words)
     }
 

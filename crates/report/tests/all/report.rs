@@ -475,6 +475,10 @@ fn on_a_narrow_screen_every_table_scrolls_in_itself_or_wraps() {
     let (_, narrow) = style.split_once("@media screen and (max-width: 700px) {").unwrap();
     let narrow = narrow.split_once("@media").unwrap().0;
     assert!(narrow.contains("figure { overflow-x: auto; }"));
+    assert!(
+        narrow.contains(".spectrum:has(.slim) > svg { display: none; }")
+            && narrow.contains(".slim { display: block; }")
+    );
     let mut classes: Vec<&str> = template.split("<table class=\"").skip(1).collect();
     classes.iter_mut().for_each(|rest| *rest = rest.split_once('"').unwrap().0);
     assert!(classes.len() >= 5 && classes.len() == template.matches("<table").count());

@@ -66,6 +66,12 @@ fn a_monitor_stands_beside_the_free_field_at_its_own_level() {
     let svg = drawing(&folder, "spectra.svg");
     assert!(svg.contains("A, along x") && !svg.contains("A, along y") && svg.contains("free field at the"));
     assert!(drawing(&folder, "input-spectra.svg").contains("free field, surface"));
+    // The first sheet has them across its width, and on a phone half as wide in its place, within the screen.
+    let (_, shown) = text.split_once("<figure class=\"spectrum\">").unwrap();
+    let (wide, slim) = shown.split_once("</figure>").unwrap().0.split_once("<div class=\"slim\">").unwrap();
+    for (part, width) in [(wide, "viewBox=\"0 0 940 "), (slim, "viewBox=\"0 0 470 ")] {
+        assert!(part.contains(width) && part.contains("free field, surface"), "{part}");
+    }
     let text = page(&folder, "zh");
     assert!(text.contains("监测点的反应谱") && drawing(&folder, "spectra.svg").contains("周期 (s)"));
     // Without columns of ground there is nothing to compare with.

@@ -97,7 +97,7 @@ fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
     Part {
         volume: cells.iter().flat_map(|c| &c.volumes).sum(),
         measures: MEASURES.iter().filter_map(measure).collect(),
-        cracks: position(history, Role::CrackExtent).is_some(),
+        cracks: position(history, Role::CrackWidth).is_some(),
         members: members.into_iter().collect(),
         cells,
     }
