@@ -31,7 +31,7 @@ use tremolite_mesh::locate::Locator;
 use tremolite_results::{PageWish, ResultFolder};
 
 /// Stages that need not come near to rest, and a short pulse.
-fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
+pub fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
     let locator = Locator::new(&problem.mesh, None);
     let release = Release { cycles: 20, tolerance: [2e-2, 2e-1], most: 3000, ..Release::default() };
     let middle = |share: [f64; 3]| {
@@ -219,7 +219,11 @@ fn shaken(mut problem: Problem) -> Problem {
 /// Ground under initial stress with a layer that cracks, a joint that slides, anchors with friction, bars that yield, a pit that is dug, and
 /// a free field.
 fn pit_problem() -> Problem {
-    let mut problem = shaken(bolts_bits::bolted(Isa::best()));
+    pit_of(bolts_bits::bolted(Isa::best()))
+}
+
+pub fn pit_of(bolted: Problem) -> Problem {
+    let mut problem = shaken(bolted);
     problem.bodies[1].material = concrete(5e3, "effective");
     let law: Vec<_> = BANDIS.iter().map(|&(key, x)| (key, if key == "cohesion" { 1e3 } else { x })).collect();
     problem.interfaces = vec![between(&problem, [1, 0], "bandis", &law)];
