@@ -55,7 +55,8 @@ pub struct Slices {
 impl Slices {
     /// What becomes of each range.
     fn each(&self, of: impl Fn(&Range<usize>) -> Range<usize>) -> Self {
-        let Slices { contributions, history, overstress, numbers, reference, initial, points, elements } = self;
+        let Slices { contributions, history, overstress, numbers, reference, initial, points, elements } =
+            self;
         Slices {
             contributions: of(contributions),
             history: of(history),
@@ -324,7 +325,8 @@ impl Assembly {
         }
         let mut contacts = self.contacts.clone();
         for contacts in &mut contacts {
-            let ranges = contacts.members.iter().map(|&m| own[m as usize].then(|| held[m as usize].history.clone()));
+            let ranges =
+                contacts.members.iter().map(|&m| own[m as usize].then(|| held[m as usize].history.clone()));
             contacts.held = ranges.collect();
         }
         Assembly {

@@ -69,7 +69,6 @@ struct Entry {
     values: usize,
 }
 
-
 /// Writes the state into a folder; the checkpoint there becomes the earlier one. Tables whose lengths the state knows have to be on the disk
 /// before ([`ResultFolder::sync`](tremolite_results::ResultFolder::sync)).
 ///
@@ -167,10 +166,10 @@ fn write_file(
     let columns = state.columns();
     if !among.is_first() {
         let nothing = |(name, _, column): &(String, _, StateColumn)| among.put(name, column, &mut |_| Ok(()));
-        return columns.iter().try_for_each(nothing).map_err(|source| CheckpointError::Io {
-            path: folder.join(file),
-            source,
-        });
+        return columns
+            .iter()
+            .try_for_each(nothing)
+            .map_err(|source| CheckpointError::Io { path: folder.join(file), source });
     }
     let header = Header {
         fingerprint,

@@ -27,8 +27,8 @@ use tremolite_engine::exchange::To;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::phase::beats::span;
-use tremolite_engine::state::State;
 use tremolite_engine::ranks::Columns;
+use tremolite_engine::state::State;
 use tremolite_engine::{ModelError, Ranks, StableStep, Stage, finer_levels, stable_step};
 use tremolite_results::ResultFolder;
 

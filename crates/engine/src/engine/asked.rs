@@ -8,11 +8,7 @@ use std::collections::{BTreeSet, HashMap};
 
 impl Engine {
     /// Mean total stress \[Pa\] of some elements of the mesh at a state, which is left as it is; the same elements are asked for on all ranks.
-    pub(super) fn mean_stresses(
-        &mut self,
-        state: &State,
-        asked: &BTreeSet<u32>,
-    ) -> HashMap<u32, [f64; 6]> {
+    pub(super) fn mean_stresses(&mut self, state: &State, asked: &BTreeSet<u32>) -> HashMap<u32, [f64; 6]> {
         let mut probed = Probed::default();
         let (history, numbers) = self.evaluate_copies(state, Some(&mut probed));
         let kept = Kept { history: &history, numbers: &numbers, ..state.kept() };

@@ -20,10 +20,11 @@ impl Engine {
     pub(super) fn lent(&self, state: &State) -> Lent {
         let Engine { model, assembly, phase, ranks: Some(ranks), .. } = self else { return Lent::default() };
         let of = &ranks.division.of_member;
-        let begins = phase.active.iter().map(|&m| (m, &assembly.members[m as usize])).filter(|(_, member)| {
-            let takes_over = member.kind.patch().is_some_and(|patch| model.patches[patch].takes_over);
-            takes_over && member.life.born == phase.stage && member.life.is_later()
-        });
+        let begins =
+            phase.active.iter().map(|&m| (m, &assembly.members[m as usize])).filter(|(_, member)| {
+                let takes_over = member.kind.patch().is_some_and(|patch| model.patches[patch].takes_over);
+                takes_over && member.life.born == phase.stage && member.life.is_later()
+            });
         let mut readers: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
         for (m, member) in begins {
             for &element in &member.reads.elements {

@@ -120,9 +120,8 @@ impl Engine {
         }
 
         let of_displacements = hex.mean_strain(&moved);
-        let began = |c: usize| {
-            initial.get(6 * (old.index / 8) + c).map_or(0.0, |octet| octet.0[old.index % 8])
-        };
+        let began =
+            |c: usize| initial.get(6 * (old.index / 8) + c).map_or(0.0, |octet| octet.0[old.index % 8]);
         let elastic = [0, 1, 2, 3, 4, 5].map(|c| of_displacements[c] + began(c) - plastic[c]);
         let elastic = moduli[1].strain(&moduli[0].stress(&elastic));
         for c in 0..6 {

@@ -12,4 +12,3 @@ pub use tremolite_kernels::part::*;
 
 /// What is not known; the fourth number is no component.
 pub(crate) const UNKNOWN: Row = Row([f64::NAN, f64::NAN, f64::NAN, 0.0]);
-

@@ -94,7 +94,8 @@ impl Phase {
         let own = assembly.held_totals().contributions.end;
         let mut place = vec![u32::MAX; assembly.totals().contributions.end];
         for &m in &members {
-            let [all, held] = [&assembly.slices, &assembly.held].map(|all| all[m as usize].contributions.clone());
+            let [all, held] =
+                [&assembly.slices, &assembly.held].map(|all| all[m as usize].contributions.clone());
             all.zip(held).for_each(|(slot, held)| place[slot] = held as u32);
         }
         let mut received = 0;

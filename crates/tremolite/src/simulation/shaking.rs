@@ -1,8 +1,8 @@
 //! The shaking, step by step.
 
-use super::{Simulation, Whole};
 use super::followed::Followed;
 use super::outcome::{Ending, Outcome};
+use super::{Simulation, Whole};
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;

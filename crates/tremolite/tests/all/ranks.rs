@@ -233,7 +233,11 @@ pub fn pit_of(bolted: Problem) -> Problem {
 }
 
 fn pit() -> Case {
-    let mut case = Case::new(pit_problem(), &["start", "bolts", "pit"], 0.012);
+    pit_case(pit_problem())
+}
+
+fn pit_case(problem: Problem) -> Case {
+    let mut case = Case::new(problem, &["start", "bolts", "pit"], 0.012);
     case.plan.bolts = vec![BoltMonitor { name: "anchor".into(), point: [3.0, 3.0, 10.0], set: 0 }];
     case.plan.pairs = vec![PairMonitor { name: "pair".into(), point: [6.0, 5.0, 6.0], interface: 0 }];
     case
@@ -297,6 +301,19 @@ fn a_run_with_water_goes_on_where_it_was_stopped_in_the_stage_that_changes_it() 
 #[test]
 fn any_number_of_ranks_and_threads_writes_the_files_of_one_process() {
     pit().holds("pit", &ALL);
+}
+
+/// Machines of a cluster may differ in the instructions that they have.
+#[test]
+fn ranks_with_unlike_instruction_sets_write_the_files_of_one_process() {
+    let cases = [Isa::best(), Isa::Scalar].map(|isa| pit_case(pit_of(bolts_bits::bolted(isa))));
+    assert!(Isa::best() != Isa::Scalar || !cfg!(target_arch = "x86_64"), "there are two to compare");
+    let whole = cases[0].alone();
+    let drive = |folder: &ResultFolder, ranks: Option<Arc<Ranks>>| {
+        let own = ranks.as_ref().map_or(0, |ranks| ranks.rank() as usize % 2);
+        through(cases[own].simulation(folder, Start::Rest, ranks))
+    };
+    same("unlike instruction sets", &whole, &cases[0].among(how(3, 1, false), drive).0);
 }
 
 #[test]

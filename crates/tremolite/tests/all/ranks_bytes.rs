@@ -6,7 +6,7 @@ use crate::ready::Ready;
 use std::sync::Arc;
 use tremolite::engine::Release;
 use tremolite::simulation::{Built, Go, Simulation, StageEnd, Start, Stepping};
-use tremolite::{Bytes, Division, Loopback, Ranks};
+use tremolite::{Bytes, Division, Engine, Loopback, Ranks};
 use tremolite_laws::Isa;
 use tremolite_results::ResultFolder;
 
@@ -37,9 +37,15 @@ fn a_rank_holds_its_share_of_parts_and_memory() {
     let folder = tempfile::tempdir().unwrap();
     let results = ResultFolder::create(Some(folder.path()), "bytes", true).unwrap();
     let alone = run(None, &results);
+    println!("{} elements, {} nodes", model.mesh.elements.len(), model.nodes.len());
     assert!(alone.parts > 0 && alone.memory > alone.parts && alone.pushes > 0, "{alone:?}");
     for ranks in [2, 4] {
         let division = Division::along_a_curve(&model, &assembly, ranks);
+        // With the parts of all, a rank holds more than its share, which is then seen.
+        let first = Arc::new(Loopback::ranks(ranks).remove(0));
+        let rank = Arc::new(Ranks::new(first, division.clone()));
+        let all = Engine::among(&model, &assembly, &phase, Some(&rank)).bytes(&assembly.rest());
+        assert!(all.shared() as f64 > MOST / f64::from(ranks) * alone.shared() as f64, "{all:?}");
         let each: Vec<Bytes> = std::thread::scope(|scope| {
             let (run, results, division) = (&run, &results, &division);
             let spawn = |exchange: Loopback| {
@@ -55,6 +61,7 @@ fn a_rank_holds_its_share_of_parts_and_memory() {
         assert_eq!(sum(|one| one.memory), alone.memory + 64 * ranks as usize, "so is what it remembers");
         for one in &each {
             let share = one.shared() as f64 / alone.shared() as f64;
+            println!("{ranks} ranks: {:.3} of 1/{ranks}, {one:?} of {alone:?}", share * f64::from(ranks));
             assert!(share <= MOST / f64::from(ranks), "{ranks} ranks: {share:.3}, {one:?} of {alone:?}");
             assert!(one.everywhere <= alone.everywhere, "{ranks} ranks");
         }
