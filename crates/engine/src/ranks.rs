@@ -371,8 +371,11 @@ impl Ranks {
     }
 }
 
+/// Where a member's items of a kind lie.
+pub type RangeOf = fn(&Slices) -> Range<usize>;
+
 /// The slices of members that a [column](State::columns) of a state consists of, with numbers of each of its items; none of other columns.
-pub fn of_members(column: &str) -> Option<(usize, fn(&Slices) -> Range<usize>)> {
+pub fn of_members(column: &str) -> Option<(usize, RangeOf)> {
     Some(match column {
         "history" => (8, |s| s.history.clone()),
         "overstress" => (8, |s| s.overstress.clone()),

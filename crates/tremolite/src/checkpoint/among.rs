@@ -2,7 +2,8 @@
 
 use std::io::{self, BufRead, Seek};
 use std::ops::Range;
-use tremolite_engine::assembly::{Assembly, Slices};
+use tremolite_engine::assembly::Assembly;
+use tremolite_engine::ranks::RangeOf;
 use tremolite_engine::state::StateColumn;
 use tremolite_engine::{Ranks, ranks};
 use tremolite_laws::{Octet, Row};
@@ -20,7 +21,7 @@ impl Among<'_> {
     }
 
     /// The slices of a column of members, and numbers of each of its items, where several ranks have it.
-    fn shared(&self, name: &str) -> Option<(&Ranks, &Assembly, usize, fn(&Slices) -> Range<usize>)> {
+    fn shared(&self, name: &str) -> Option<(&Ranks, &Assembly, usize, RangeOf)> {
         let (ranks, assembly) = self.0?;
         let (width, range) = ranks::of_members(name)?;
         Some((ranks, assembly, width, range))
@@ -39,7 +40,7 @@ impl Among<'_> {
     /// Rows that this process has of as many of a column that may be missing.
     pub(super) fn rows(&self, name: &str, all: usize) -> usize {
         match self.shared(name) {
-            // One more says that it is there ([`Assembly::keeps`]).
+            // One more says that it is there (`KEPT`).
             Some((_, assembly, _, range)) if all > 0 => range(&assembly.held_totals()).end + 1,
             _ => all,
         }
@@ -88,7 +89,7 @@ impl Among<'_> {
             let held = range(held);
             match assembly.has(m) {
                 true => take_range(&mut column, held, file)?,
-                false => _ = file.seek_relative(8 * (width * range(all).len()) as i64)?,
+                false => file.seek_relative(8 * (width * range(all).len()) as i64)?,
             }
         }
         if let StateColumn::SomeRows(rows) = column
