@@ -70,6 +70,7 @@ impl Assembly {
                 Kind::Pairs(seam) => {
                     let contacts = &mut contacts[seam as usize];
                     contacts.histories.push(slices.history.clone());
+                    contacts.held.push(Some(slices.history.clone()));
                     contacts.members.push(m);
                 }
                 Kind::Bolts(set) => bolts[set as usize].starts.push(slices.numbers.start),
@@ -203,6 +204,7 @@ fn add(model: &Model, values: Option<&[Values]>, assembly: &mut Assembly) -> Res
             chosen,
             places,
             histories: Vec::new(),
+            held: Vec::new(),
             members: Vec::new(),
             loaded,
             frequency,

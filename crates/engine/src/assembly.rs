@@ -1,5 +1,7 @@
 //! Every part that a model will ever have, made once, with its fixed slices of the state.
 
+mod of_rank;
+
 use crate::bolting::Bolting;
 use crate::boundary;
 use crate::boundary::base::BaseNode;
@@ -11,7 +13,7 @@ use crate::member::{Kind, Member};
 use crate::model::Model;
 use crate::parts::constant::Constant;
 use crate::parts::loads::{Load, Loads};
-use crate::parts::{Entry, Kept, Motion, Own, StateSizes};
+use crate::parts::{Entry, Kept, Motion, Own, StateSizes, UNKNOWN};
 use crate::patch_part::solid;
 use crate::pore_forces::{Acting, in_pores};
 use crate::state::{Ledger, State};
@@ -27,6 +29,9 @@ use tremolite_mesh::topology::vector_areas;
 
 /// Nodes of a member at most, of what spans the model: weight, tractions, loads, the base.
 pub(crate) const PIECE: usize = 256;
+
+/// Behind what a rank keeps of its contributions: so that they are there on a rank without parts as well.
+pub const KEPT: Row = UNKNOWN;
 
 /// Things at nodes in pieces of a size at most, those of one level together.
 pub(crate) fn pieces<T: Clone>(all: Vec<T>, size: usize, level: impl Fn(&T) -> u8) -> Vec<Vec<T>> {
@@ -49,6 +54,37 @@ pub struct Slices {
 }
 
 impl Slices {
+    /// What becomes of each range.
+    fn each(&self, of: impl Fn(&Range<usize>) -> Range<usize>) -> Self {
+        let Slices { contributions, history, overstress, numbers, reference, initial, points, elements } =
+            self;
+        Slices {
+            contributions: of(contributions),
+            history: of(history),
+            overstress: of(overstress),
+            numbers: of(numbers),
+            reference: of(reference),
+            initial: of(initial),
+            points: of(points),
+            elements: of(elements),
+        }
+    }
+
+    /// Slices as long as others, behind these.
+    pub(crate) fn followed_by(&self, next: &Slices) -> Self {
+        let after = |range: &Range<usize>, of: &Range<usize>| range.end..range.end + of.len();
+        Slices {
+            contributions: after(&self.contributions, &next.contributions),
+            history: after(&self.history, &next.history),
+            overstress: after(&self.overstress, &next.overstress),
+            numbers: after(&self.numbers, &next.numbers),
+            reference: after(&self.reference, &next.reference),
+            initial: after(&self.initial, &next.initial),
+            points: after(&self.points, &next.points),
+            elements: after(&self.elements, &next.elements),
+        }
+    }
+
     /// The motion of a state, and what a part alone reads and writes of it.
     pub fn own<'s>(&self, state: &'s mut State) -> (Motion<'s>, Own<'s>) {
         let State { u, du, history, overstress, numbers, reference, initial, .. } = state;
@@ -75,13 +111,18 @@ impl Slices {
 
 /// All parts of a model, whatever stage they live in. Slices do not change with the stage, so neither does a column of the
 /// state, nor a checkpoint.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Assembly {
     /// In the order in which a node sums what they hold for it: patches, boundaries, loads, weight and tractions, interfaces,
     /// bolts, the program's own. What each is its [`Kind`] says, never its place.
     pub members: Vec<Member>,
-    /// Of each member.
+    /// Of each member, where all that members have lies member by member: in checkpoints, and in what observers see.
     pub slices: Vec<Slices>,
+    /// Of each member, where it lies in what this process holds. That is the same where one process works on the model; on one of several
+    /// ranks the slices of others are empty.
+    pub held: Vec<Slices>,
+    /// Which members this process evaluates, where it is one of several ranks.
+    own: Option<Vec<bool>>,
     /// The member that each of the model's patches is.
     pub of_patch: Vec<u32>,
     /// Of the model's interfaces, in their order.
@@ -170,7 +211,8 @@ impl Assembly {
             let level = member.part.nodes().iter().map(|&n| model.nodes.level[n as usize]).min();
             member.level = level.unwrap_or(0);
         }
-        self.slices = slices(members);
+        self.slices = slices(members, |_| true);
+        self.held = self.slices.clone();
         self.of_patch = vec![0; model.patches.len()];
         for (m, member) in (0u32..).zip(members.iter()) {
             if let Some(patch) = member.kind.patch() {
@@ -210,9 +252,14 @@ impl Assembly {
         })
     }
 
+    /// Bytes of the strain that elements of this process begin with.
+    pub(crate) fn begins_with(&self) -> usize {
+        size_of_val(&self.initial[..])
+    }
+
     /// A state at rest: no displacement, and the stress that the model begins with.
     pub fn rest(&self) -> State {
-        let totals = self.totals();
+        let totals = self.held_totals();
         let mut state = State {
             u: vec![Row::ZERO; self.nodes],
             du: vec![Row::ZERO; self.nodes],
@@ -227,7 +274,10 @@ impl Assembly {
         self.contacts.iter().for_each(|contacts| contacts.begin(&mut state.history));
         // Where no stage comes first, what is there from the start begins here.
         let at_rest = vec![Row::ZERO; self.nodes];
-        for (member, slices) in self.members.iter().zip(&self.slices) {
+        for (m, (member, slices)) in self.members.iter().zip(&self.held).enumerate() {
+            if !self.has(m) {
+                continue;
+            }
             let entry = Entry { stage: member.life.born, u: &at_rest, stress: &|_| None };
             member.part.enter(&entry, slices.own(&mut state).1);
         }
@@ -237,6 +287,16 @@ impl Assembly {
     /// Where all slices end: the lengths of the columns.
     pub fn totals(&self) -> Slices {
         self.slices.last().cloned().unwrap_or_default()
+    }
+
+    /// The same of what this process holds.
+    pub fn held_totals(&self) -> Slices {
+        self.held.last().cloned().unwrap_or_default()
+    }
+
+    /// Whether this process has a member's part and what it remembers.
+    pub fn has(&self, member: usize) -> bool {
+        self.own.as_ref().is_none_or(|own| own[member])
     }
 
     /// Members of a kind, with their slices, in their order.
@@ -349,12 +409,19 @@ fn initial_strains(model: &Model, members: &[Member], slices: &[Slices]) -> Vec<
     all
 }
 
-fn slices(members: &[Member]) -> Vec<Slices> {
+/// The slices of members, which of those that are not there are empty.
+fn slices(members: &[Member], there: impl Fn(usize) -> bool) -> Vec<Slices> {
     let mut last = Slices::default();
+    let nothing = |range: &Range<usize>| range.end..range.end;
     let after = |range: &Range<usize>, length: usize| range.end..range.end + length;
     members
         .iter()
-        .map(|member| {
+        .enumerate()
+        .map(|(m, member)| {
+            if !there(m) {
+                last = last.each(nothing);
+                return last.clone();
+            }
             let StateSizes { history, overstress, numbers } = member.part.state_sizes();
             let (elements, points) = member.part.elements();
             last = Slices {

@@ -17,6 +17,8 @@ pub struct Contacts {
     pub(crate) places: Vec<(u32, u32)>,
     /// Where the histories of these members lie, and which of the assembly they are.
     pub(crate) histories: Vec<Range<usize>>,
+    /// The same in what this process holds; none of members of other ranks.
+    pub(crate) held: Vec<Option<Range<usize>>>,
     pub(crate) members: Vec<u32>,
     /// Pairs that begin under load: pair, m, pressure and shear t \[Pa\].
     pub(crate) loaded: Vec<LoadedPair>,
@@ -45,12 +47,13 @@ impl Contacts {
         self.loaded.iter().for_each(|loaded| self.load(history, loaded, [0.0; 3]));
     }
 
-    /// Gives a pair its first memory, of the load that it begins with where its relative displacement is `d` \[m\].
+    /// Gives a pair its first memory, of the load that it begins with where its relative displacement is `d` \[m\], if this process has it.
     pub(crate) fn load(&self, history: &mut [Octet], loaded: &LoadedPair, d: [f64; 3]) {
         let &LoadedPair { pair, normal, traction: [pressure, t1, t2] } = loaded;
         let (chunk, at) = self.places[pair as usize];
-        let own = &mut history[self.histories[chunk as usize].clone()];
-        self.law.load(own, at as usize, d, normal, pressure, [t1, t2]);
+        if let Some(held) = &self.held[chunk as usize] {
+            self.law.load(&mut history[held.clone()], at as usize, d, normal, pressure, [t1, t2]);
+        }
     }
 
     /// A pair as it was when it was evaluated last, from the histories of all members.

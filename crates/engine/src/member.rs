@@ -1,8 +1,10 @@
 //! A part with what the model knows of it.
 
 use crate::life::Life;
+use crate::parts::absent::Absent;
 use crate::parts::{Part, Reads};
 use std::collections::HashSet;
+use std::sync::Arc;
 use tremolite_kernels::Line;
 
 /// What a member is.
@@ -35,11 +37,12 @@ impl Kind {
 }
 
 /// One of a model's parts.
+#[derive(Clone)]
 pub struct Member {
     /// For messages, and by which a program finds its own.
     pub name: String,
     pub kind: Kind,
-    pub part: Box<dyn Part>,
+    pub part: Arc<dyn Part>,
     /// The body of its elements, a number in [`Model::bodies`](crate::Model::bodies).
     pub body: Option<u32>,
     /// The level of its step in the shaking, the finest of the nodes that it pushes.
@@ -79,7 +82,7 @@ impl Member {
             body: None,
             level: 0,
             reads,
-            part,
+            part: Arc::from(part),
             masses: Vec::new(),
             springs: Vec::new(),
             life: Life::ALWAYS,
@@ -87,5 +90,11 @@ impl Member {
             line: None,
             counted: true,
         }
+    }
+
+    /// The same as a rank knows it that does not evaluate it.
+    #[must_use]
+    pub(crate) fn absent(&self) -> Self {
+        Member { part: Arc::new(Absent::of(&*self.part)), ..self.clone() }
     }
 }

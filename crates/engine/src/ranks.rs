@@ -1,11 +1,14 @@
 //! One rank of several that work on one model: what it exchanges with the others, so that sums, looks and states are those of one process.
 //!
-//! Every rank holds the whole model and room for the whole state, of which it knows what its own members remember and how the nodes move that
-//! these push or read. Where a state has to be whole, it is [gathered](Ranks::whole); in steps contributions alone are exchanged.
+//! Every rank holds the whole model and room for the motion of all nodes, of which it knows how those move that its own members push or read. Of
+//! parts and what they remember it has its own alone. In steps contributions alone are exchanged; where stages meet, [nodes](Ranks::whole);
+//! and where somebody looks or writes, the first rank is [given](Ranks::collect) what all remember for so long.
 
+mod columns;
 mod tally;
 mod words;
 
+pub use columns::Columns;
 pub use tally::{Tally, Took};
 pub use words::{Tree, Words};
 
@@ -13,6 +16,7 @@ use crate::assembly::{Assembly, Slices};
 use crate::division::Division;
 use crate::exchange::{Exchange, Halo, To};
 use crate::model::Model;
+use crate::parts::UNKNOWN;
 use crate::phase::Phase;
 use crate::phase::ours::{Slots, WIDTH};
 use crate::state::State;
@@ -20,7 +24,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Instant;
 use tremolite_kernels::Line;
-use tremolite_laws::{Octet, Row};
+use tremolite_laws::Row;
 
 /// A rank, and how the model is shared out among all.
 pub struct Ranks {
@@ -197,57 +201,126 @@ impl Ranks {
         self.pieces(rows, 4, blocks.map(|(rank, block)| (rank, block.nodes.clone())), to);
     }
 
-    /// Brings together what members have, which lies so in their slices.
-    pub fn members<T: Words>(
+    /// What members have, each of one rank, member by member, where it is given: `own` has it as this rank holds it, and `unknown` stands for
+    /// what is not wanted. `wanted` says the same on all ranks.
+    pub fn some_members<T: Words + Clone>(
         &self,
         assembly: &Assembly,
-        all: &mut [T],
-        width: usize,
-        range: impl Fn(&Slices) -> Range<usize> + Clone,
+        wanted: impl Fn(u32) -> bool,
+        own: &[T],
+        (width, unknown): (usize, T),
+        range: impl Fn(&Slices) -> Range<usize>,
         to: To,
-    ) {
-        self.some_members(assembly, |_| true, all, width, range, to);
+    ) -> Vec<T> {
+        let members = || (0u32..).zip(&self.division.of_member).filter(|(m, _)| wanted(*m));
+        let mut counts = vec![0; self.division.ranks as usize];
+        let mut words = Vec::new();
+        for (m, &rank) in members() {
+            counts[rank as usize] += width * range(&assembly.slices[m as usize]).len();
+            if rank == self.rank() {
+                own[range(&assembly.held[m as usize])].iter().for_each(|one| one.put(&mut words));
+            }
+        }
+        let words = self.exchange.gather(&words, &counts, to);
+        if to == To::First && !self.is_first() {
+            return Vec::new();
+        }
+        let mut all = vec![unknown; range(&assembly.totals()).end];
+        let mut at = starts(&counts);
+        for (m, &rank) in members() {
+            let all = &mut all[range(&assembly.slices[m as usize])];
+            let start = &mut at[rank as usize];
+            let end = *start + width * all.len();
+            for (one, words) in all.iter_mut().zip(words[*start..end].chunks_exact(width)) {
+                *one = T::take(words);
+            }
+            *start = end;
+        }
+        all
     }
 
-    /// The same of those members alone for which `wanted` holds, on all ranks alike.
-    pub fn some_members<T: Words>(
+    /// The same of all members.
+    pub fn members<T: Words + Clone + Default>(
         &self,
         assembly: &Assembly,
-        wanted: impl Fn(u32) -> bool + Clone,
-        all: &mut [T],
+        own: &[T],
         width: usize,
-        range: impl Fn(&Slices) -> Range<usize> + Clone,
+        range: impl Fn(&Slices) -> Range<usize>,
         to: To,
-    ) {
-        let members = (0u32..).zip(self.division.of_member.iter().copied()).zip(&assembly.slices);
-        let some = members.filter(|((m, _), _)| wanted(*m));
-        self.pieces(all, width, some.map(|((_, rank), slices)| (rank, range(slices))), to);
+    ) -> Vec<T> {
+        self.some_members(assembly, |_| true, own, (width, T::default()), range, to)
     }
 
-    /// Makes a state whole.
-    pub fn whole(&self, model: &Model, assembly: &Assembly, state: &mut State, to: To) {
-        let State { u, du, datum, held, start, .. } = state;
+    /// Gives the first rank what members have, member by member, in pieces of so many numbers at most, unless one member has more. `own`
+    /// puts items that this rank holds behind others.
+    ///
+    /// # Errors
+    /// What `each` returns on the first rank; the others know nothing of it.
+    pub fn stream<E>(
+        &self,
+        assembly: &Assembly,
+        (width, range): (usize, impl Fn(&Slices) -> Range<usize>),
+        at_once: usize,
+        own: impl Fn(Range<usize>, &mut Vec<f64>),
+        mut each: impl FnMut(&[f64]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let of = &self.division.of_member;
+        let length = |m: usize| width * range(&assembly.slices[m]).len();
+        let mut from = 0;
+        while from < of.len() {
+            let (mut end, mut sum) = (from, 0);
+            while end < of.len() && (end == from || sum + length(end) <= at_once) {
+                sum += length(end);
+                end += 1;
+            }
+            let mut counts = vec![0; self.division.ranks as usize];
+            let mut words = Vec::new();
+            for m in from..end {
+                counts[of[m] as usize] += length(m);
+                if of[m] == self.rank() {
+                    own(range(&assembly.held[m]), &mut words);
+                }
+            }
+            let words = if sum > 0 { self.exchange.gather(&words, &counts, To::First) } else { Vec::new() };
+            if self.is_first() && sum > 0 {
+                let mut at = starts(&counts);
+                let mut all = Vec::with_capacity(sum);
+                for m in from..end {
+                    let start = &mut at[of[m] as usize];
+                    all.extend_from_slice(&words[*start..*start + length(m)]);
+                    *start += length(m);
+                }
+                each(&all)?;
+            }
+            from = end;
+        }
+        Ok(())
+    }
+
+    /// What some members have, one after another, for all: `own` has it as this rank holds it.
+    pub(crate) fn lend<T: Words>(
+        &self,
+        assembly: &Assembly,
+        some: &[u32],
+        own: &[T],
+        width: usize,
+        range: impl Fn(&Slices) -> Range<usize>,
+    ) -> Vec<T> {
+        let of = |m: u32| self.division.of_member[m as usize];
+        let length = |m: u32| range(&assembly.slices[m as usize]).len();
+        let each: Vec<u32> = some.iter().flat_map(|&m| std::iter::repeat_n(of(m), length(m))).collect();
+        let lent = some.iter().filter(|m| of(**m) == self.rank());
+        let lent: Vec<T> =
+            lent.flat_map(|&m| own[range(&assembly.held[m as usize])].iter().cloned()).collect();
+        if each.is_empty() { Vec::new() } else { self.rows(&each, &lent, width) }
+    }
+
+    /// Makes whole what a state has of nodes, and its books. What members remember stays with who evaluates them.
+    pub fn whole(&self, model: &Model, state: &mut State, to: To) {
+        let State { u, du, datum, held, start, ledger, .. } = state;
         for rows in [u, du, datum, held, start] {
             self.nodes(model, rows, to);
         }
-        let State {
-            history,
-            overstress,
-            numbers,
-            reference,
-            initial,
-            carried,
-            carried_hourglass,
-            ledger,
-            ..
-        } = state;
-        self.members(assembly, history, 8, |s| s.history.clone(), to);
-        self.members(assembly, overstress, 8, |s| s.overstress.clone(), to);
-        self.members(assembly, numbers, 1, |s| s.numbers.clone(), to);
-        self.members(assembly, reference, 4, |s| s.reference.clone(), to);
-        self.members(assembly, initial, 8, |s| s.initial.clone(), to);
-        self.members(assembly, carried, 4, |s| s.contributions.clone(), to);
-        self.members(assembly, carried_hourglass, 4, |s| s.contributions.clone(), to);
         let width = ledger.width();
         let of_members =
             self.division.of_member.iter().copied().enumerate().map(|(m, rank)| (rank, m..m + 1));
@@ -257,43 +330,39 @@ impl Ranks {
         self.pieces(&mut ledger.blocks, 1, of_blocks, to);
     }
 
+    /// Gives a state all that members remember, where it is given, for as long as it is looked at or written; what this rank has
+    /// itself comes back with [`Columns::give_back`].
+    pub fn collect(&self, assembly: &Assembly, state: &mut State, to: To) -> Columns {
+        let own = Columns::take(state);
+        let Columns { history, overstress, numbers, reference, initial, carried, carried_hourglass } = &own;
+        state.history = self.members(assembly, history, 8, |s| s.history.clone(), to);
+        state.overstress = self.members(assembly, overstress, 8, |s| s.overstress.clone(), to);
+        state.numbers = self.members(assembly, numbers, 1, |s| s.numbers.clone(), to);
+        state.reference = self.members(assembly, reference, 4, |s| s.reference.clone(), to);
+        state.initial = self.members(assembly, initial, 8, |s| s.initial.clone(), to);
+        // Empty on all ranks, or on none that holds a part: a rank says so to who has none.
+        if self.agree(u64::from(!carried.is_empty())) > 0 {
+            state.carried = self.members(assembly, carried, 4, |s| s.contributions.clone(), to);
+            state.carried_hourglass =
+                self.members(assembly, carried_hourglass, 4, |s| s.contributions.clone(), to);
+        }
+        own
+    }
+
     /// Makes what a rank does not have of a state not a number to it, if it is poisoned.
-    pub(crate) fn poison(&self, assembly: &Assembly, phase: &Phase, state: &mut State) {
+    pub(crate) fn poison(&self, phase: &Phase, state: &mut State) {
         if !self.poisoned {
             return;
         }
-        let State { u, du, datum, held, start, .. } = state;
+        let State { u, du, datum, held, start, ledger, .. } = state;
         for rows in [u, du, datum, held, start] {
             let unknown = (0u32..).zip(rows).filter(|(n, _)| !phase.holds(*n));
             unknown.for_each(|(_, row)| *row = UNKNOWN);
         }
-        let State {
-            history,
-            overstress,
-            numbers,
-            reference,
-            initial,
-            carried,
-            carried_hourglass,
-            ledger,
-            ..
-        } = state;
         let width = ledger.width();
         let nan = f64::NAN;
-        for ((m, &rank), slices) in self.division.of_member.iter().enumerate().zip(&assembly.slices) {
-            if rank == self.rank() {
-                continue;
-            }
-            history[slices.history.clone()].fill(Octet([nan; 8]));
-            overstress[slices.overstress.clone()].fill(Octet([nan; 8]));
-            numbers[slices.numbers.clone()].fill(nan);
-            reference[slices.reference.clone()].fill(UNKNOWN);
-            initial[slices.initial.clone()].fill(Octet([nan; 8]));
-            for rows in [&mut *carried, &mut *carried_hourglass].into_iter().filter(|rows| !rows.is_empty()) {
-                rows[slices.contributions.clone()].fill(UNKNOWN);
-            }
-            ledger.members[m].values_mut().for_each(|x| *x = nan);
-        }
+        let others = self.division.of_member.iter().enumerate().filter(|(_, rank)| **rank != self.rank());
+        others.for_each(|(m, _)| ledger.members[m].values_mut().for_each(|x| *x = nan));
         for (b, &rank) in self.division.of_block.iter().enumerate() {
             if rank != self.rank() {
                 ledger.blocks[width * b..width * (b + 1)].fill(nan);
@@ -302,8 +371,21 @@ impl Ranks {
     }
 }
 
-/// What is not known; the fourth number is no component.
-const UNKNOWN: Row = Row([f64::NAN, f64::NAN, f64::NAN, 0.0]);
+/// Where a member's items of a kind lie.
+pub type RangeOf = fn(&Slices) -> Range<usize>;
+
+/// The slices of members that a [column](State::columns) of a state consists of, with numbers of each of its items; none of other columns.
+pub fn of_members(column: &str) -> Option<(usize, RangeOf)> {
+    Some(match column {
+        "history" => (8, |s| s.history.clone()),
+        "overstress" => (8, |s| s.overstress.clone()),
+        "numbers" => (1, |s| s.numbers.clone()),
+        "reference" => (4, |s| s.reference.clone()),
+        "initial" => (8, |s| s.initial.clone()),
+        "carried" | "carried_hourglass" => (4, |s| s.contributions.clone()),
+        _ => return None,
+    })
+}
 
 /// Where each rank's numbers begin among all.
 fn starts(counts: &[usize]) -> Vec<usize> {

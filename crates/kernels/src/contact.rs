@@ -108,6 +108,11 @@ impl<I: Interface> Part for Contact<I> {
         &self.nodes
     }
 
+    fn bytes(&self) -> usize {
+        let Contact { nodes, pairs, geometry, .. } = self;
+        size_of_val(&nodes[..]) + size_of_val(&pairs[..]) + size_of_val(&geometry[..])
+    }
+
     fn state_sizes(&self) -> StateSizes {
         StateSizes { history: Self::WIDTH * self.geometry.len(), ..StateSizes::default() }
     }

@@ -163,6 +163,10 @@ pub trait Part: Send + Sync {
     fn columns(&self) -> &'static [Column] {
         &[]
     }
+    /// Bytes of what the part was made from, the nodes that it pushes included: shapes, weights, places.
+    fn bytes(&self) -> usize {
+        size_of_val(self.nodes())
+    }
     /// Whether all that the part takes and gives out is in the lines that it reports; without, the balance cannot close.
     fn keeps_books(&self) -> bool {
         true

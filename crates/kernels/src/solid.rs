@@ -288,6 +288,13 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         M::HISTORY
     }
 
+    fn bytes(&self) -> usize {
+        let Solid { nodes, index, geometry, viscosity, sizes, porous, .. } = self;
+        let packed = size_of_val(&index[..]) + size_of_val(&geometry[..]);
+        let given = size_of_val(&viscosity[..]) + size_of_val(&sizes[..]);
+        size_of_val(&nodes[..]) + packed + given + porous.as_ref().map_or(0, Porous::bytes)
+    }
+
     fn keeps_books(&self) -> bool {
         M::HISTORY.is_empty() || M::DISSIPATION.is_some()
     }

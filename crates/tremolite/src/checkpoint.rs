@@ -2,13 +2,19 @@
 //! state.earlier.bin, and a run goes on from that where the last is damaged or missing.
 //!
 //! A line that names the format; the length of a JSON header as u64; the header (columns in order, with names, units
-//! and lengths, and the fingerprint of the model); the columns as little-endian numbers; a CRC-32 of all before it.
+//! and lengths, and the fingerprint of the model); the columns as little-endian numbers; a CRC-32 of all before it. The file is the same whether
+//! one process writes it or several ranks: these send the first what they have piece by piece, and each reads its own.
+
+mod among;
+
+pub use among::Among;
 
 use serde::{Deserialize, Serialize};
-use std::io::Read;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use tremolite_engine::state::{State, StateColumn};
-use tremolite_laws::{Octet, Row};
+use tremolite_laws::Row;
 use tremolite_results::{CHECKPOINTS, HAND_OVER};
 
 const MAGIC: &[u8] = b"tremolite checkpoint 4\n";
@@ -63,48 +69,21 @@ struct Entry {
     values: usize,
 }
 
-fn values(column: &StateColumn) -> usize {
-    match column {
-        StateColumn::Count(_) => 1,
-        StateColumn::Scalars(s) => s.len(),
-        StateColumn::Numbers(n) => n.len(),
-        StateColumn::Rows(r) | StateColumn::SomeRows(r) => 4 * r.len(),
-        StateColumn::Octets(o) => 8 * o.len(),
-    }
-}
-
-fn append(column: &StateColumn, out: &mut Vec<u8>) {
-    let mut put = |x: f64| out.extend(x.to_bits().to_le_bytes());
-    match column {
-        StateColumn::Scalars(s) => s.iter().for_each(|x| put(**x)),
-        StateColumn::Numbers(n) => n.iter().for_each(|&x| put(x)),
-        StateColumn::Rows(r) | StateColumn::SomeRows(r) => r.iter().flat_map(|r| r.0).for_each(put),
-        StateColumn::Octets(o) => o.iter().flat_map(|o| o.0).for_each(put),
-        StateColumn::Count(c) => out.extend(c.to_le_bytes()),
-    }
-}
-
-fn restore(column: StateColumn, words: &mut impl Iterator<Item = u64>) {
-    let mut take = || words.next().unwrap_or(0);
-    let mut number = || f64::from_bits(take());
-    match column {
-        StateColumn::Scalars(s) => s.into_iter().for_each(|x| *x = number()),
-        StateColumn::Numbers(n) => n.iter_mut().for_each(|x| *x = number()),
-        StateColumn::Rows(r) | StateColumn::SomeRows(r) => {
-            r.iter_mut().flat_map(|Row(r)| r).for_each(|x| *x = number())
-        }
-        StateColumn::Octets(o) => o.iter_mut().flat_map(|Octet(o)| o).for_each(|x| *x = number()),
-        StateColumn::Count(c) => *c = take(),
-    }
-}
-
 /// Writes the state into a folder; the checkpoint there becomes the earlier one. Tables whose lengths the state knows have to be on the disk
 /// before ([`ResultFolder::sync`](tremolite_results::ResultFolder::sync)).
 ///
 /// # Errors
 /// If the file cannot be written; older ones are then untouched.
-pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
-    write_file(folder, NEXT, state, fingerprint)?;
+pub fn write(
+    folder: &Path,
+    state: &mut State,
+    fingerprint: u64,
+    among: &Among,
+) -> Result<(), CheckpointError> {
+    write_file((folder, NEXT), state, fingerprint, among)?;
+    if !among.is_first() {
+        return Ok(());
+    }
     let [last, earlier] = CHECKPOINTS.map(|name| folder.join(name));
     let rename = |from: &Path, to: &Path| {
         tremolite_files::rename(from, to).map_err(|source| CheckpointError::Io { path: to.into(), source })
@@ -119,16 +98,26 @@ pub fn write(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), C
 ///
 /// # Errors
 /// As [`write()`].
-pub fn write_hand_over(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
-    write_file(folder, HAND_OVER, state, before_the_shaking(fingerprint))
+pub fn write_hand_over(
+    folder: &Path,
+    state: &mut State,
+    fingerprint: u64,
+    among: &Among,
+) -> Result<(), CheckpointError> {
+    write_file((folder, HAND_OVER), state, before_the_shaking(fingerprint), among)
 }
 
 /// Reads what [`write_hand_over`] left, of a model with the same mesh, laws and stages, whatever shakes it.
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_hand_over(folder: &Path, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
-    read_file(folder.join(HAND_OVER), state, before_the_shaking(fingerprint)).map_err(|e| match e {
+pub fn read_hand_over(
+    folder: &Path,
+    state: &mut State,
+    fingerprint: u64,
+    among: &Among,
+) -> Result<(), CheckpointError> {
+    read_file(folder.join(HAND_OVER), state, before_the_shaking(fingerprint), among).map_err(|e| match e {
         CheckpointError::Other { path } => CheckpointError::OtherBefore { path },
         CheckpointError::Io { path, source } => CheckpointError::NoHandOver { path, source },
         e => e,
@@ -168,8 +157,20 @@ fn before_the_shaking(fingerprint: u64) -> u64 {
     fingerprint >> 32
 }
 
-fn write_file(folder: &Path, file: &str, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
+fn write_file(
+    (folder, file): (&Path, &str),
+    state: &mut State,
+    fingerprint: u64,
+    among: &Among,
+) -> Result<(), CheckpointError> {
     let columns = state.columns();
+    if !among.is_first() {
+        let nothing = |(name, _, column): &(String, _, StateColumn)| among.put(name, column, &mut |_| Ok(()));
+        return columns
+            .iter()
+            .try_for_each(nothing)
+            .map_err(|source| CheckpointError::Io { path: folder.join(file), source });
+    }
     let header = Header {
         fingerprint,
         columns: columns
@@ -177,25 +178,29 @@ fn write_file(folder: &Path, file: &str, state: &mut State, fingerprint: u64) ->
             .map(|(name, unit, column)| Entry {
                 name: name.clone(),
                 unit: (*unit).into(),
-                values: values(column),
+                values: among.values(name, column),
             })
             .collect(),
     };
     let header = serde_json::to_vec(&header).unwrap_or_default();
-    let total: usize = columns.iter().map(|(_, _, c)| 8 * values(c)).sum();
-    let mut bytes = Vec::with_capacity(MAGIC.len() + 8 + header.len() + total + 4);
-    bytes.extend(MAGIC);
-    bytes.extend((header.len() as u64).to_le_bytes());
-    bytes.extend(header);
-    for (_, _, column) in &columns {
-        append(column, &mut bytes);
-    }
-    bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
     let path = folder.join(file);
     tremolite_files::make_folder(folder)
         .map_err(|source| CheckpointError::Io { path: folder.into(), source })?;
-    tremolite_results::replace_file(&path, &bytes)
-        .map_err(|e| CheckpointError::Io { path, source: std::io::Error::other(e) })
+    let written = tremolite_files::replace(&path, |out| {
+        let mut crc = crc32fast::Hasher::new();
+        let mut put = |bytes: &[u8]| {
+            crc.update(bytes);
+            out.write_all(bytes)
+        };
+        put(MAGIC)?;
+        put(&(header.len() as u64).to_le_bytes())?;
+        put(&header)?;
+        for (name, _, column) in &columns {
+            among.put(name, column, &mut put)?;
+        }
+        out.write_all(&crc.finalize().to_le_bytes())
+    });
+    written.map_err(|source: std::io::Error| CheckpointError::Io { path, source })
 }
 
 /// Reads the state that [`write()`] left in a folder into one of the same model. Where the last is damaged or missing it is the earlier one, and
@@ -207,37 +212,73 @@ pub fn read(
     folder: &Path,
     state: &mut State,
     fingerprint: u64,
+    among: &Among,
 ) -> Result<Option<CheckpointError>, CheckpointError> {
     let [last, earlier] = CHECKPOINTS.map(|name| folder.join(name));
-    match read_file(last, state, fingerprint) {
+    match read_file(last, state, fingerprint, among) {
         Ok(()) => Ok(None),
         Err(other @ CheckpointError::Other { .. }) => Err(other),
-        Err(damaged) => match read_file(earlier, state, fingerprint) {
+        Err(damaged) => match read_file(earlier, state, fingerprint, among) {
             Ok(()) => Ok(Some(damaged)),
             Err(_) => Err(damaged),
         },
     }
 }
 
-fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), CheckpointError> {
-    let bytes = std::fs::read(&path).map_err(|source| CheckpointError::Io { path: path.clone(), source })?;
+fn read_file(
+    path: PathBuf,
+    state: &mut State,
+    fingerprint: u64,
+    among: &Among,
+) -> Result<(), CheckpointError> {
+    let io = |source| CheckpointError::Io { path: path.clone(), source };
     let damaged = |problem: &str| CheckpointError::Damaged { path: path.clone(), problem: problem.into() };
-    let (body, crc) = bytes.split_last_chunk::<4>().ok_or_else(|| damaged("the file is cut short"))?;
-    let rest = body.strip_prefix(MAGIC).ok_or_else(|| damaged("this is no checkpoint of this version"))?;
-    if crc32fast::hash(body).to_le_bytes() != *crc {
+    let file = File::open(&path).map_err(io)?;
+    let length = file.metadata().map_err(io)?.len();
+    let body = length.checked_sub(4).ok_or_else(|| damaged("the file is cut short"))?;
+    let mut file = BufReader::with_capacity(1 << 20, file);
+    let mut magic = [0; MAGIC.len()];
+    let known = file.read_exact(&mut magic).is_ok() && magic == *MAGIC;
+    if !known {
+        return Err(damaged("this is no checkpoint of this version"));
+    }
+    file.rewind().map_err(io)?;
+    let mut crc = crc32fast::Hasher::new();
+    let mut left = body;
+    while left > 0 {
+        let bytes = file.fill_buf().map_err(io)?;
+        let some = bytes.len().min(usize::try_from(left).unwrap_or(usize::MAX));
+        if some == 0 {
+            return Err(damaged("the file is cut short"));
+        }
+        crc.update(&bytes[..some]);
+        file.consume(some);
+        left -= some as u64;
+    }
+    let mut kept = [0; 4];
+    file.read_exact(&mut kept).map_err(io)?;
+    if crc.finalize().to_le_bytes() != kept {
         return Err(damaged("the checksum does not fit: the file is cut short or was changed"));
     }
-    let (length, rest) = rest.split_first_chunk::<8>().ok_or_else(|| damaged("the header is missing"))?;
-    let length = usize::try_from(u64::from_le_bytes(*length)).unwrap_or(usize::MAX);
-    let header = rest.get(..length).ok_or_else(|| damaged("the header is cut short"))?;
-    let header: Header = serde_json::from_slice(header).map_err(|e| damaged(&e.to_string()))?;
+    file.seek(SeekFrom::Start(MAGIC.len() as u64)).map_err(io)?;
+    let rest = body - MAGIC.len() as u64;
+    let mut word = [0; 8];
+    if rest < 8 {
+        return Err(damaged("the header is missing"));
+    }
+    file.read_exact(&mut word).map_err(io)?;
+    let length = u64::from_le_bytes(word);
+    let rest = (rest - 8).checked_sub(length).ok_or_else(|| damaged("the header is cut short"))?;
+    let mut header = vec![0; usize::try_from(length).unwrap_or(0)];
+    file.read_exact(&mut header).map_err(io)?;
+    let header: Header = serde_json::from_slice(&header).map_err(|e| damaged(&e.to_string()))?;
     if header.fingerprint != fingerprint {
         return Err(CheckpointError::Other { path });
     }
-    let data = &rest[length..];
     // Before anything is made room for: a header may tell of any number.
-    let wanted = header.columns.iter().try_fold(0usize, |sum, e| sum.checked_add(e.values.checked_mul(8)?));
-    if wanted != Some(data.len()) {
+    let bytes = |values: usize| u64::try_from(values).ok()?.checked_mul(8);
+    let wanted = header.columns.iter().try_fold(0u64, |sum, e| sum.checked_add(bytes(e.values)?));
+    if wanted != Some(rest) {
         return Err(CheckpointError::Other { path });
     }
     state.observers = header
@@ -246,26 +287,21 @@ fn read_file(path: PathBuf, state: &mut State, fingerprint: u64) -> Result<(), C
         .filter_map(|e| Some((e.name.strip_prefix("observer ")?.to_owned(), vec![0.0; e.values])))
         .collect();
     let mut columns = state.columns();
-    for ((_, _, column), entry) in columns.iter_mut().zip(&header.columns) {
+    for ((name, _, column), entry) in columns.iter_mut().zip(&header.columns) {
         if let StateColumn::SomeRows(rows) = column {
-            rows.resize(entry.values / 4, Row::ZERO);
+            rows.resize(among.rows(name, entry.values / 4), Row::ZERO);
         }
     }
     let fits = columns.len() == header.columns.len()
         && columns
             .iter()
             .zip(&header.columns)
-            .all(|((name, _, c), e)| *name == e.name && values(c) == e.values);
+            .all(|((name, _, c), e)| *name == e.name && among.values(name, c) == e.values);
     if !fits {
         return Err(CheckpointError::Other { path });
     }
-    let mut words = data.chunks_exact(8).map(|w| {
-        let mut word = [0; 8];
-        word.copy_from_slice(w);
-        u64::from_le_bytes(word)
-    });
-    for (_, _, column) in columns {
-        restore(column, &mut words);
+    for (name, _, column) in columns {
+        among.take(&name, column, &mut file).map_err(io)?;
     }
     Ok(())
 }

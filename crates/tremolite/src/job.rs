@@ -29,7 +29,7 @@ use indexmap::IndexMap;
 use std::path::Path;
 use std::sync::Arc;
 use tremolite_case::{Case, Diagnostic, Mesh};
-use tremolite_engine::{Assembly, Model, Phase, StableStep, Stage};
+use tremolite_engine::{Assembly, Model, Phase, Ranks, StableStep, Stage};
 use tremolite_results::{Defaulted, Input, MaterialFacts};
 
 /// Steps beyond which a run is a slip of units: a year on a fast machine.
@@ -123,6 +123,11 @@ pub struct Job {
 }
 
 impl Job {
+    /// Lets go of parts that other ranks evaluate: what is left of them is where they push.
+    pub fn share(&mut self, ranks: &Ranks) {
+        self.assembly = Arc::new(self.assembly.of_rank(&ranks.division, ranks.rank()));
+    }
+
     /// The job of a case file.
     ///
     /// # Errors

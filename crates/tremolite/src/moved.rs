@@ -74,12 +74,12 @@ impl MovedNodes {
             });
             (one.name.clone(), row)
         });
+        let each = each.collect();
+        // Of several ranks the first alone sees all elements.
         let energy = engine.look(state).snapshot.energy;
-        MovedNodes {
-            each: each.collect(),
-            held: energy.iter().map(|element| element.held()).sum(),
-            dissipated: energy.iter().map(|element| element.dissipated).sum(),
-        }
+        let held: f64 = energy.iter().map(|element| element.held()).sum();
+        let sums = engine.from_first(&[held, energy.iter().map(|element| element.dissipated).sum()]);
+        MovedNodes { each, held: sums[0], dissipated: sums[1] }
     }
 
     /// The energy \[J\] that a step lost, and what was held before, where it lost too much of it to have gone along states at rest.

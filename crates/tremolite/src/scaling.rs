@@ -4,6 +4,7 @@
 //! by the first rank alone. What cannot be counted is assumed: [`NETWORK`].
 
 use crate::job::Checked;
+use crate::survey::Survey;
 use serde::Serialize;
 use tremolite_engine::Division;
 
@@ -72,8 +73,9 @@ pub struct SharedOut {
     pub moved_again: f64,
     /// Patches that there are: no rank beyond them has work.
     pub patches: usize,
-    /// Bytes of memory that each rank takes, about.
+    /// Bytes of memory that the rank with most work takes while it computes, about, and the first where it looks and writes.
     pub memory_bytes: usize,
+    pub first_bytes: usize,
     pub of_rank: Vec<OfRank>,
     pub network: Network,
     pub seconds: Seconds,
@@ -119,13 +121,15 @@ impl SharedOut {
             messages: if division.ranks > 1 { message * total } else { 0.0 },
             rows: alone.rows + sent * rows,
         };
+        let Survey { bytes, shared, .. } = job.survey;
         let moved: usize = of_rank.iter().map(|rank| rank.nodes).sum();
         SharedOut {
             ranks: division.ranks,
             imbalance: division.imbalance(),
             moved_again: moved as f64 / job.model.nodes.len() as f64 - 1.0,
             patches: job.model.patches.len(),
-            memory_bytes: job.survey.bytes,
+            memory_bytes: bytes - shared + (most * shared as f64) as usize,
+            first_bytes: bytes + (most * shared as f64) as usize,
             efficiency: alone.all() / seconds.all() / f64::from(division.ranks),
             of_rank,
             network: NETWORK,

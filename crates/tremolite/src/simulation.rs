@@ -12,7 +12,7 @@ pub use outcome::{Ending, Outcome};
 pub use shaking::Stepping;
 pub use stages::{Cycle, Go, StageEnd};
 
-use crate::checkpoint::{self, CheckpointError};
+use crate::checkpoint::{self, Among, CheckpointError};
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::levels::{levels, longest_step};
@@ -27,6 +27,7 @@ use tremolite_engine::exchange::To;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::phase::beats::span;
+use tremolite_engine::ranks::Columns;
 use tremolite_engine::state::State;
 use tremolite_engine::{ModelError, Ranks, StableStep, Stage, finer_levels, stable_step};
 use tremolite_results::ResultFolder;
@@ -138,6 +139,19 @@ pub struct Simulation {
     fallen_back: Option<String>,
 }
 
+/// What a rank has itself of a state that is [whole](Simulation::whole).
+#[must_use]
+struct Whole(Option<Columns>);
+
+impl Whole {
+    /// Leaves of the state what the rank has itself.
+    fn give_back(self, state: &mut State) {
+        if let Some(own) = self.0 {
+            own.give_back(state);
+        }
+    }
+}
+
 /// Askings whether to stop between times at which ranks agree.
 const AGREE: u64 = 8;
 
@@ -170,7 +184,10 @@ impl Simulation {
         own: OwnObservers,
         ranks: Option<Arc<Ranks>>,
     ) -> Result<Self, RunError> {
-        let Built { model, assembly, phase, stable } = built.clone();
+        let Built { model, mut assembly, phase, stable } = built.clone();
+        if let Some(ranks) = &ranks {
+            assembly = Arc::new(assembly.of_rank(&ranks.division, ranks.rank()));
+        }
         let (dt, steps) = choose_step(&model, plan, &stable);
         let fingerprint = fingerprint(&model, &assembly, plan, dt);
         let mut simulation = Simulation {
@@ -214,8 +231,9 @@ impl Simulation {
 
     /// Begins with what a run had come to before its earthquake.
     fn shake_from(&mut self, folder: &ResultFolder) -> Result<(), RunError> {
-        self.state = self.at_rest();
-        checkpoint::read_hand_over(&folder.checkpoint(), &mut self.state, self.fingerprint)?;
+        let mut state = self.at_rest();
+        checkpoint::read_hand_over(&folder.checkpoint(), &mut state, self.fingerprint, &self.among_ranks())?;
+        self.state = state;
         self.state.dt = self.dt;
         if folder.root() != self.folder.root() {
             forget_own_tables(&mut self.state.observers);
@@ -266,11 +284,19 @@ impl Simulation {
         self.ranks.as_ref().is_none_or(|ranks| ranks.is_first())
     }
 
-    /// Makes a state whole where it is written, or on all ranks.
-    fn whole(&self, state: &mut State, to: To) {
+    /// Gives a state what nodes and books have, on the first rank.
+    fn nodes_whole(&self, state: &mut State) {
         if let Some(ranks) = &self.ranks {
-            ranks.whole(&self.model, &self.assembly, state, to);
+            ranks.whole(&self.model, state, To::First);
         }
+    }
+
+    /// A state with all that nodes, books and members have, on the first rank, for as long as it is written or looked at.
+    fn whole(&self, state: &mut State) -> Whole {
+        Whole(self.ranks.as_ref().map(|ranks| {
+            ranks.whole(&self.model, state, To::First);
+            ranks.collect(&self.assembly, state, To::First)
+        }))
     }
 
     /// What all ranks do together, if there are several: stop if any wishes so, write a checkpoint if the first does. All are asked now and
@@ -299,6 +325,11 @@ impl Simulation {
         audience.tell(&Event::StagesTaken, &mut self.state.observers)
     }
 
+    /// Who has the columns of a state.
+    fn among_ranks(&self) -> Among<'_> {
+        Among(self.ranks.as_ref().map(|ranks| (&**ranks, &*self.assembly)))
+    }
+
     fn at_rest(&self) -> State {
         let mut state = self.assembly.rest();
         state.dt = self.dt;
@@ -312,7 +343,7 @@ impl Simulation {
     pub fn restore(&mut self) -> Result<(), RunError> {
         let mut state = self.at_rest();
         let folder = self.folder.clone();
-        match checkpoint::read(&folder.checkpoint(), &mut state, self.fingerprint) {
+        match checkpoint::read(&folder.checkpoint(), &mut state, self.fingerprint, &self.among_ranks()) {
             Ok(damaged) => {
                 let why = damaged.map(|why| why.what());
                 self.fallen_back =
@@ -333,10 +364,13 @@ impl Simulation {
         }
     }
 
-    /// Writes a checkpoint, once the tables that it knows the lengths of are on the disk.
+    /// Writes a checkpoint, once the tables that it knows the lengths of are on the disk; of several ranks the first does.
     fn keep(&self, state: &mut State) -> Result<(), RunError> {
-        self.folder.sync()?;
-        Ok(checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint)?)
+        self.nodes_whole(state);
+        if self.writes() {
+            self.folder.sync()?;
+        }
+        Ok(checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint, &self.among_ranks())?)
     }
 
     /// Why the run does not go on from its last checkpoint, where that is so.

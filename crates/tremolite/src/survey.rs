@@ -53,6 +53,8 @@ pub struct Survey {
     pub nodes: usize,
     /// Bytes that a run takes at its peak, about.
     pub bytes: usize,
+    /// What of it several ranks share: parts, what they remember and what they push with.
+    pub shared: usize,
 }
 
 impl Survey {
@@ -146,6 +148,8 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
     // Where results count from, what is held, where a relaxation began, masses; what parts did at the hand-over; and a copy of
     // the state, which the quiet run shakes.
     let stages = if staged { nodes * (8 * row + 8) + 4 * row * totals.contributions.end + state } else { 0 };
+    let pushes = row * totals.contributions.end;
+    let carried = if staged { 4 * pushes + state } else { 0 };
     Ok(Survey {
         bodies,
         active_elements: active,
@@ -153,6 +157,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
         column_elements: model.outside.columns.iter().map(|column| column.layers.len()).sum(),
         void_elements: model.user.elements - model.elements.stand_ins.len() - active,
         nodes: model.nodes.of(Domain::Model).count(),
+        shared: geometry + state + carried + pushes + totals.points.end * 48 + totals.elements.end * 16,
         bytes: geometry
             + state
             + stages

@@ -163,7 +163,7 @@ fn is_done(root: &Path) -> bool {
 }
 
 /// Runs what is asked for, alone or with other ranks.
-fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<&Started>) -> Outcome {
+fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Option<&Started>) -> Outcome {
     let warned = !job.said().is_empty();
     let first = started.is_none_or(Started::is_first);
     let own = if first { Some(begin(args, &job, other.as_ref())) } else { None };
@@ -192,6 +192,7 @@ fn go(args: &Args, since: Instant, Asked { job, other }: Asked, started: Option<
     before(&mut log, &job);
     let ranks = started.map(|started| started.at_work(&job.model, &job.assembly));
     if let Some((ranks, started)) = ranks.as_ref().zip(started) {
+        job.share(ranks);
         let bound = started.bound();
         log.say(&shared_out(&ranks.division));
         bound.iter().for_each(|bound| log.say(&format!("warning: {bound}")));

@@ -74,6 +74,12 @@ impl Part for BasePart {
         &self.nodes
     }
 
+    fn bytes(&self) -> usize {
+        let BasePart { nodes, pushed, points, of_node, .. } = self;
+        let shares: usize = of_node.iter().map(|own| size_of_val(&own[..])).sum();
+        size_of_val(&nodes[..]) + size_of_val(&pushed[..]) + size_of_val(&points[..]) + shares
+    }
+
     /// The bottoms of the columns whose motion is the free field, from which springs count.
     fn reads(&self) -> Reads {
         let sprung = self.pushed.iter().filter(|base| base.is_sprung());

@@ -66,7 +66,7 @@ impl Engine {
     /// elements of each account.
     pub(super) fn held(&self, state: &State, kept: Kept, energy: &[ElementEnergy]) -> (Lines, Vec<Lines>) {
         self.added(self.counted(), |m| {
-            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
+            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.held[m as usize]);
             let mut own = Lines::default();
             for element in &energy[slices.elements.clone()] {
                 own[Line::Strain] += element.strain;

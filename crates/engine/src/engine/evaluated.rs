@@ -18,6 +18,8 @@ pub struct Evaluated {
     state: State,
     forces: Forces,
     snapshot: Option<Snapshot>,
+    /// Histories and numbers of all ranks, where something is to be seen by the first of several.
+    all: Option<(Vec<Octet>, Vec<f64>)>,
 }
 
 impl Evaluated {
@@ -33,7 +35,11 @@ impl Evaluated {
 
     /// What observers are shown, with what they remember, if anything was to be seen.
     pub fn seen(&mut self) -> Option<Seen<'_>> {
-        let Evaluated { state: State { history, numbers, observers, .. }, snapshot, .. } = self;
+        let Evaluated { state: State { history, numbers, observers, .. }, snapshot, all, .. } = self;
+        let (history, numbers) = match all {
+            Some((history, numbers)) => (&*history, &*numbers),
+            None => (&*history, &*numbers),
+        };
         Some(Seen { snapshot: snapshot.as_ref()?, history, numbers, memory: observers })
     }
 
@@ -78,6 +84,7 @@ impl Engine {
         let mut probed =
             (see != See::Nothing).then(|| Probed { glance: see == See::Glance, ..Probed::default() });
         self.evaluate_at(&mut state, probed.as_mut());
+        let mut all = None;
         let snapshot = probed.map(|mut probed| {
             if see == See::Glance {
                 self.soak(&mut probed.stress, &state.kept());
@@ -87,36 +94,43 @@ impl Engine {
                 return Snapshot { step, time, stress, energy, ..Snapshot::default() };
             }
             let mut snapshot = self.snapshot(&state, state.kept(), probed);
-            let State { history, numbers, .. } = &mut state;
-            self.gather(&mut snapshot, history, numbers, To::First);
+            all = self.gather(&mut snapshot, &state.history, &state.numbers);
             snapshot
         });
         let (model, phase) = (self.model.clone(), self.phase.clone());
-        Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot }
+        Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot, all }
     }
 
     /// Brings the stresses of a glance together on the first rank.
-    fn gather_glanced(&self, stress: &mut [[f64; 6]]) {
+    fn gather_glanced(&self, stress: &mut Vec<[f64; 6]>) {
         if let Engine { assembly, glanced, ranks: Some(ranks), .. } = self {
             let only = |m: u32| glanced.contains(&m);
-            ranks.some_members(assembly, only, stress, 6, |s| s.points.clone(), To::First);
+            let unknown = (6, [f64::NAN; 6]);
+            *stress = ranks.some_members(assembly, only, stress, unknown, |s| s.points.clone(), To::First);
         }
     }
 
-    /// Brings together what was seen by several ranks.
-    fn gather(&self, snapshot: &mut Snapshot, history: &mut [Octet], numbers: &mut [f64], to: To) {
-        let Engine { model, assembly, ranks: Some(ranks), .. } = self else { return };
+    /// Brings together on the first rank what was seen by several, where there are: histories and numbers of all.
+    fn gather(
+        &self,
+        snapshot: &mut Snapshot,
+        history: &[Octet],
+        numbers: &[f64],
+    ) -> Option<(Vec<Octet>, Vec<f64>)> {
+        let Engine { model, assembly, ranks, .. } = self;
+        let ranks = ranks.as_ref()?;
         let Snapshot { displacement, velocity, acceleration, stress, pore, energy, .. } = snapshot;
         for rows in [displacement, velocity, acceleration] {
-            ranks.nodes(model, rows, to);
+            ranks.nodes(model, rows, To::First);
         }
-        ranks.members(assembly, stress, 6, |s| s.points.clone(), to);
-        ranks.members(assembly, energy, 5, |s| s.elements.clone(), to);
-        if !pore.is_empty() {
-            ranks.members(assembly, pore, 1, |s| s.elements.clone(), to);
+        *stress = ranks.members(assembly, stress, 6, |s| s.points.clone(), To::First);
+        *energy = ranks.members(assembly, energy, 5, |s| s.elements.clone(), To::First);
+        // Each rank has some of it, or none has.
+        if !model.water.spells.is_empty() {
+            *pore = ranks.members(assembly, pore, 1, |s| s.elements.clone(), To::First);
         }
-        ranks.members(assembly, history, 8, |s| s.history.clone(), to);
-        ranks.members(assembly, numbers, 1, |s| s.numbers.clone(), to);
+        let history = ranks.members(assembly, history, 8, |s| s.history.clone(), To::First);
+        Some((history, ranks.members(assembly, numbers, 1, |s| s.numbers.clone(), To::First)))
     }
 
     /// Goes on from u^n to u^{n+1}.
@@ -143,13 +157,15 @@ impl Engine {
         snapshot
     }
 
-    /// What is seen at a state, which is left as it is: parts are evaluated on copies of their memory. All ranks see it whole.
+    /// What is seen at a state, which is left as it is: parts are evaluated on copies of their memory. Of several ranks the first alone sees it
+    /// whole, as in [`Engine::evaluate`].
     pub fn look(&mut self, state: &State) -> Look {
         let mut probed = Probed::default();
-        let (mut history, mut numbers) = self.evaluate_copies(state, Some(&mut probed));
+        let (history, numbers) = self.evaluate_copies(state, Some(&mut probed));
         let kept = Kept { history: &history, numbers: &numbers, ..state.kept() };
         let mut snapshot = self.snapshot(state, kept, probed);
-        self.gather(&mut snapshot, &mut history, &mut numbers, To::All);
+        let all = self.gather(&mut snapshot, &history, &numbers);
+        let (history, numbers) = all.unwrap_or((history, numbers));
         Look { snapshot, history, numbers }
     }
 }

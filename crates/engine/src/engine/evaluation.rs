@@ -7,7 +7,7 @@ use super::split::split;
 use crate::assembly::{Assembly, Slices};
 use crate::member::Member;
 use crate::model::Model;
-use crate::parts::{ElementEnergy, Kept, Motion, Own, ProbeOut, Scratch, Tick};
+use crate::parts::{ElementEnergy, Kept, Motion, Own, ProbeOut, Scratch, Tick, UNKNOWN};
 use crate::phase::Phase;
 use crate::state::State;
 use rayon::prelude::*;
@@ -33,8 +33,8 @@ pub(super) struct Forces {
 impl Forces {
     pub fn room(model: &Model, assembly: &Assembly, phase: &Phase) -> Self {
         Forces {
-            contributions: vec![Row::ZERO; assembly.totals().contributions.end],
-            rates: Rates::new(model, assembly),
+            contributions: phase.room(assembly),
+            rates: Rates::new(model, assembly, phase),
             leads: vec![Lead::default(); phase.leaders.len()],
             works: Vec::new(),
         }
@@ -181,7 +181,7 @@ impl Engine {
         if self.quiet {
             tick.time = -f64::MIN_POSITIVE;
         }
-        let totals = assembly.totals();
+        let totals = assembly.held_totals();
         let mut probes = probed.map(|Probed { stress, energy, glance }| {
             let unknown = if *glance { f64::NAN } else { 0.0 };
             *stress = vec![[unknown; 6]; totals.points.end];
@@ -258,7 +258,7 @@ impl<'c> Columns<'c> {
         contributions: &'j mut [Row],
         probes: Option<&'j mut Probes>,
     ) -> (Motion<'j>, Vec<Job<'j>>) {
-        let slices: Vec<&Slices> = active.iter().map(|&m| &assembly.slices[m as usize]).collect();
+        let slices: Vec<&Slices> = active.iter().map(|&m| &assembly.held[m as usize]).collect();
         let slices = &slices[..];
         let only = probes.as_ref().and_then(|probes| probes.only);
         let mut probes = probes.map(|Probes { out, .. }| {
@@ -334,9 +334,6 @@ fn evaluate(job: Job, tick: &Tick, motion: &Motion, room: &mut Room, poisoned: b
         Some(to) => member.part.probe(tick, &motion, own, out, to, scratch),
     }
 }
-
-/// What is not known; the fourth number is no component.
-const UNKNOWN: Row = Row([f64::NAN, f64::NAN, f64::NAN, 0.0]);
 
 /// A motion at the nodes that a member pushes or reads; not a number elsewhere.
 fn named(member: &Member, rows: &[Row], room: &mut Vec<Row>) {

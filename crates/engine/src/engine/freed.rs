@@ -4,7 +4,6 @@
 use super::Engine;
 use crate::contacts::LoadedPair;
 use crate::state::State;
-use std::collections::{HashMap, HashSet};
 use tremolite_mesh::Face;
 
 impl Engine {
@@ -21,8 +20,6 @@ impl Engine {
         if freed.is_empty() {
             return;
         }
-        let snapshot = self.look(state).snapshot;
-
         // What stands in the place of an element now, and from when on its place is filled.
         let now = |mut element: u32| {
             while !model.elements.lives[element as usize].holds(phase.stage) {
@@ -40,22 +37,9 @@ impl Engine {
             let seam = &model.seams[s];
             seam.pairs[k].corners.iter().flat_map(|(f, _)| seam.faces[*f as usize])
         };
-        let wanted: HashSet<u32> =
+        let asked =
             freed.iter().flat_map(|&(s, k)| beside(s, k)).filter_map(|face| now(face.element)).collect();
-        let mut stresses: HashMap<u32, [f64; 6]> = HashMap::new();
-        for (patch, &m) in model.patches.iter().zip(&assembly.of_patch) {
-            let m = m as usize;
-            let points = assembly.members[m].part.elements().1;
-            for (i, &e) in patch.elements.iter().enumerate().filter(|(_, e)| wanted.contains(e)) {
-                let first = assembly.slices[m].points.start + i * points;
-                let mut mean = [0.0; 6];
-                let shares = model.bodies[patch.body].quadrature.shares();
-                for (point, share) in snapshot.stress[first..first + points].iter().zip(shares) {
-                    (0..6).for_each(|c| mean[c] += share * point[c]);
-                }
-                stresses.insert(e, mean);
-            }
-        }
+        let stresses = self.mean_stresses(state, &asked);
         for (s, k) in freed {
             let (seam, contacts) = (&model.seams[s], &assembly.contacts[s]);
             if !self.has(contacts.member_of(k)) {

@@ -34,8 +34,8 @@ impl Engine {
         let mut probed = Probed::default();
         self.evaluate_at(state, Some(&mut probed));
         self.quiet = false;
-        state.carried_hourglass = self.stabilisation(&probed.stress);
-        state.carried = self.forces.contributions.clone();
+        state.carried_hourglass = self.own_rows(&self.stabilisation(&probed.stress));
+        state.carried = self.own_rows(&self.forces.contributions);
         let (held, bodies) = self.held(state, state.kept(), &probed.energy);
         let mut ledger = state.ledger.cleared();
         for &line in Line::ALL {
@@ -50,9 +50,21 @@ impl Engine {
         }
         ledger.rest = bodies;
         state.ledger = ledger;
-        state.held = (0..state.u.len()).map(|n| force(&self.phase, &self.forces.contributions, n)).collect();
+        state.held = self.forces_now(state.u.len());
         self.settle(state);
         self.own(state);
+    }
+
+    /// Force \[N\] of all parts on each node, of the forces last evaluated; on a rank not a number where it does not know it.
+    pub(super) fn forces_now(&self, nodes: usize) -> Vec<Row> {
+        (0..nodes).map(|n| force(&self.phase, &self.forces.contributions, n)).collect()
+    }
+
+    /// Contributions of this process's own parts, to be kept.
+    fn own_rows(&self, rows: &[Row]) -> Vec<Row> {
+        let mut own = rows[..self.assembly.held_totals().contributions.end].to_vec();
+        self.assembly.close(&mut own);
+        own
     }
 
     /// Forces \[N\] of the elements' stabilisation at the displacements last evaluated, where the points had these stresses.
@@ -60,7 +72,7 @@ impl Engine {
         let mut all = vec![Row::ZERO; self.forces.contributions.len()];
         let mut scratch = Scratch::default();
         for &m in self.phase.members() {
-            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
+            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.held[m as usize]);
             if member.part.elements().0 == 0 {
                 continue;
             }
@@ -76,7 +88,7 @@ impl Engine {
     /// Tells all active parts that their own books count from here.
     fn settle(&self, state: &mut State) {
         for &m in self.phase.members() {
-            let slices = &self.assembly.slices[m as usize];
+            let slices = &self.assembly.held[m as usize];
             self.assembly.members[m as usize].part.settle(slices.own(state).1);
         }
     }
@@ -88,7 +100,7 @@ impl Engine {
             return (Lines::default(), vec![Lines::default(); self.assembly.accounts.len()]);
         }
         self.added(self.counted(), |m| {
-            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.slices[m as usize]);
+            let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.held[m as usize]);
             let work = |carried: &[Row]| -> f64 {
                 let own = carried[slices.contributions.clone()].iter().zip(member.part.nodes());
                 own.map(|(&force, &node)| dot(force, state.shown(node as usize))).sum()
@@ -133,26 +145,30 @@ impl Engine {
     pub(super) fn enter(&mut self, state: &mut State) {
         // Only bonds with friction ask for the stress, which takes an evaluation; what laws would remember of it is dropped.
         let confined = |set: &BoltSet| set.kind.bond.is_some_and(|bond| bond.friction > 0.0);
-        let snapshot = self.model.bolts.iter().any(confined).then(|| self.look(state).snapshot);
-        let Engine { model, assembly, phase, .. } = &*self;
         let later: HashMap<u32, u32> =
-            model.elements.successors.iter().map(|(&later, &of)| (of, later)).collect();
-        let of_element = |mut element: u32| loop {
-            if let Some(slot) = phase.element_slot[element as usize] {
-                let points = slot.point as usize..slot.point as usize + usize::from(slot.points);
-                let mut mean = [0.0; 6];
-                let shares = slot.places.quadrature.shares();
-                for (point, share) in snapshot.as_ref()?.stress[points].iter().zip(shares) {
-                    (0..6).for_each(|c| mean[c] += share * point[c]);
-                }
-                // A bond feels what presses rock on it, not what water does.
-                return Some(with_pressure(mean, model.water.pressure(element as usize, phase.stage)));
+            self.model.elements.successors.iter().map(|(&later, &of)| (of, later)).collect();
+        let phase = self.phase.clone();
+        let standing = |mut element: u32| {
+            while phase.element_slot[element as usize].is_none() {
+                element = *later.get(&element)?;
             }
-            element = *later.get(&element)?;
+            Some(element)
+        };
+        let stresses = self.model.bolts.iter().any(confined).then(|| {
+            let named = phase.active.iter().flat_map(|&m| &self.assembly.members[m as usize].reads.elements);
+            let asked = named.filter_map(|&element| standing(element)).collect();
+            self.mean_stresses(state, &asked)
+        });
+        let Engine { model, assembly, .. } = &*self;
+        let of_element = |element: u32| {
+            let element = standing(element)?;
+            let mean = *stresses.as_ref()?.get(&element)?;
+            // A bond feels what presses rock on it, not what water does.
+            Some(with_pressure(mean, model.water.pressure(element as usize, phase.stage)))
         };
         let u = state.u.clone();
         for &m in phase.members() {
-            let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+            let (member, slices) = (&assembly.members[m as usize], &assembly.held[m as usize]);
             // What a member did not name it cannot know.
             let stress = |element: u32| match member.reads.elements.binary_search(&element) {
                 Ok(_) => of_element(element),
@@ -172,13 +188,14 @@ impl Engine {
             let rows = [Some(&mut state.u), Some(&mut state.datum).filter(|datum| !datum.is_empty())];
             rows.into_iter().flatten().for_each(|rows| rows[*node as usize] = mean(rows, others));
         }
+        let lent = self.lent(state);
         for &m in phase.members() {
-            let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+            let (member, slices) = (&assembly.members[m as usize], &assembly.held[m as usize]);
             if member.life.born != phase.stage || !member.life.is_later() {
                 continue;
             }
             if member.kind.patch().is_some_and(|patch| self.model.patches[patch].takes_over) {
-                self.take_over(m as usize, state);
+                self.take_over(m as usize, state, &lent);
                 continue;
             }
             let (Motion { u, du, .. }, own) = slices.own(state);

@@ -32,6 +32,7 @@
 //! chunks of nodes in ascending order, so bits do not depend on threads.
 
 mod accounts;
+mod asked;
 mod balance;
 mod bonded;
 mod drive;
@@ -42,6 +43,7 @@ mod gather;
 mod guard;
 mod hand_over;
 mod highest;
+mod lent;
 mod measure;
 mod node_step;
 mod nodes;
@@ -65,6 +67,7 @@ pub use relax::{Relaxed, Release, Rest, Watch};
 pub use snapshot::{BodyBooks, Snapshot};
 
 use crate::assembly::Assembly;
+use crate::bytes::{Bytes, bytes};
 use crate::exchange::To;
 use crate::model::Model;
 use crate::phase::Phase;
@@ -131,17 +134,17 @@ impl Engine {
         }
     }
 
-    /// Makes a state whole on all ranks, if there are several.
+    /// Makes whole on all ranks, if there are several, how nodes move in a state and what is booked.
     pub fn whole(&self, state: &mut State) {
         if let Some(ranks) = &self.ranks {
-            ranks.whole(&self.model, &self.assembly, state, To::All);
+            ranks.whole(&self.model, state, To::All);
         }
     }
 
     /// Forgets what others have of a state, where ranks are poisoned.
     pub fn own(&self, state: &mut State) {
         if let Some(ranks) = &self.ranks {
-            ranks.poison(&self.assembly, &self.phase, state);
+            ranks.poison(&self.phase, state);
         }
     }
 
@@ -171,6 +174,11 @@ impl Engine {
         ranks.rows(&of, &own, width)
     }
 
+    /// Numbers that the first rank has found, for all.
+    pub fn from_first(&self, words: &[f64]) -> Vec<f64> {
+        self.ranks.as_ref().map_or_else(|| words.to_vec(), |ranks| ranks.from_first(words))
+    }
+
     /// Whether this process evaluates a member.
     fn has(&self, member: usize) -> bool {
         self.ranks.as_ref().is_none_or(|ranks| ranks.division.of_member[member] == ranks.rank())
@@ -187,6 +195,12 @@ impl Engine {
     /// Says of which members a [glance](See::Glance) shows the stresses.
     pub fn glance_at(&mut self, members: impl IntoIterator<Item = u32>) {
         self.glanced = members.into_iter().collect();
+    }
+
+    /// Bytes that this process holds of a state and its parts.
+    pub fn bytes(&self, state: &State) -> Bytes {
+        let pushes = [&self.forces.contributions[..], self.forces.rates.contributions()];
+        bytes(&self.assembly, &self.phase, state, pushes)
     }
 
     pub fn phase(&self) -> &Arc<Phase> {

@@ -34,7 +34,8 @@ pub fn times(
     let mut jobs: Vec<(u32, &mut [Row])> = Vec::with_capacity(phase.active.len());
     let mut active = phase.members().iter().copied().peekable();
     for (m, member) in (0u32..).zip(&assembly.members) {
-        let (own, after) = std::mem::take(&mut rest).split_at_mut(member.part.nodes().len());
+        let held = if assembly.has(m as usize) { member.part.nodes().len() } else { 0 };
+        let (own, after) = std::mem::take(&mut rest).split_at_mut(held);
         rest = after;
         if active.next_if_eq(&m).is_some() {
             jobs.push((m, own));
@@ -56,7 +57,7 @@ pub fn times(
                 }
             }
             Product::Damping(u, kept) => {
-                part.damping_times(u, assembly.slices[m as usize].kept(&kept), w, own, scratch);
+                part.damping_times(u, assembly.held[m as usize].kept(&kept), w, own, scratch);
             }
         }
     });

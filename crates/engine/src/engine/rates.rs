@@ -21,7 +21,7 @@ pub(super) struct Rates {
 
 impl Rates {
     /// Room for the products, if the model needs them.
-    pub fn new(model: &Model, assembly: &Assembly) -> Self {
+    pub fn new(model: &Model, assembly: &Assembly, phase: &Phase) -> Self {
         if model.scheme.rayleigh.stiffness == 0.0 {
             return Rates::default();
         }
@@ -29,8 +29,13 @@ impl Rates {
         Rates {
             products: Products { minus: zero.clone(), hat: zero.clone() },
             velocity: zero,
-            contributions: vec![Row::ZERO; assembly.totals().contributions.end],
+            contributions: phase.room(assembly),
         }
+    }
+
+    /// Room for contributions to them.
+    pub fn contributions(&self) -> &[Row] {
+        &self.contributions
     }
 
     /// Both products at the state, whose forces are in `contributions`, with what parts remember there.

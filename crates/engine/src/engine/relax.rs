@@ -271,8 +271,7 @@ impl Engine {
             self.wake(state);
             self.enter(state);
             self.evaluate_at(state, None);
-            let now = |n: usize| force(&self.phase, &self.forces.contributions, n);
-            state.held = (0..state.u.len()).map(now).collect();
+            state.held = self.forces_now(state.u.len());
             let freed = state.relaxing.freed;
             if freed == 0 {
                 state.start = state.u.clone();

@@ -13,9 +13,9 @@ impl Engine {
         if model.water.spells.is_empty() {
             return Vec::new();
         }
-        let mut pore = vec![0.0; assembly.totals().elements.end];
+        let mut pore = vec![0.0; assembly.held_totals().elements.end];
         for &m in phase.members() {
-            let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+            let (member, slices) = (&assembly.members[m as usize], &assembly.held[m as usize]);
             let Some(patch) = member.kind.patch().map(|patch| &model.patches[patch]) else { continue };
             let points = member.part.elements().1;
             let own = &mut pore[slices.elements.clone()];
@@ -39,7 +39,7 @@ impl Engine {
         let Engine { model, assembly, phase, .. } = self;
         let Some(before) = earlier(phase.stage).filter(|_| !model.water.spells.is_empty()) else { return };
         for &m in phase.members() {
-            let (member, slices) = (&assembly.members[m as usize], &assembly.slices[m as usize]);
+            let (member, slices) = (&assembly.members[m as usize], &assembly.held[m as usize]);
             let Some(patch) = member.kind.patch().map(|patch| &model.patches[patch]) else { continue };
             if !member.initial || (patch.life.born == phase.stage && !patch.takes_over) {
                 continue;

@@ -8,7 +8,7 @@ use tremolite_laws::Row;
 impl Engine {
     /// Gives a state an initial displacement \[m\] and velocity \[m/s\] by engine node: the start of (25)–(27),
     /// generalised to v⁰ ≠ 0, u^0 − u^{−1} = Δt v⁰ − ½Δt² (a⁰ − D v⁰). Tied nodes take their master's values, and
-    /// the step must be set.
+    /// the step must be set. Of one process alone.
     pub fn start(&mut self, state: &mut State, u: Vec<Row>, v: &[Row]) {
         let dt = state.dt;
         // What was booked before belongs to another balance.

@@ -6,6 +6,7 @@
 //! the points of a 2×2×2 element have yielded differently.
 
 use super::Engine;
+use super::lent::Lent;
 use crate::hexahedra::{hex, hex_nodes};
 use crate::member::Member;
 use crate::state::State;
@@ -39,8 +40,8 @@ fn alike(old: &[Column], new: &[Column]) -> Vec<(usize, usize)> {
 }
 
 impl Engine {
-    /// Gives the elements of a member that take over what those before them have come to.
-    pub(super) fn take_over(&self, member: usize, state: &mut State) {
+    /// Gives the elements of a member that take over what those before them have come to, which other ranks have `lent`.
+    pub(super) fn take_over(&self, member: usize, state: &mut State, lent: &Lent) {
         let (model, assembly) = (&self.model, &self.assembly);
         let Member { kind, reads, .. } = &assembly.members[member];
         let Some(patch) = kind.patch() else { return };
@@ -56,28 +57,34 @@ impl Engine {
             let Some(earlier) = model.elements.successors.get(&e) else { continue };
             match places.get(earlier) {
                 Some(&earlier) => {
-                    self.take_over_element(Place { member, patch, index }, earlier, e, state);
+                    self.take_over_element(Place { member, patch, index }, earlier, e, state, lent);
                 }
                 // What the member did not name it cannot know.
-                None => state.reference[assembly.slices[member].reference.clone()].fill(Row([f64::NAN; 4])),
+                None => state.reference[assembly.held[member].reference.clone()].fill(Row([f64::NAN; 4])),
             }
         }
     }
 
-    fn take_over_element(&self, new: Place, old: Place, element: u32, state: &mut State) {
+    fn take_over_element(&self, new: Place, old: Place, element: u32, state: &mut State, lent: &Lent) {
         let (model, assembly) = (&self.model, &self.assembly);
         // `Assembly::new` has checked every element.
         let Ok(hex) = hex(&model.mesh, element as usize) else { return };
         let corners = hex_nodes(&model.mesh, element as usize);
-        let of = |place: Place| (&assembly.members[place.member].part, &assembly.slices[place.member]);
-        let ((old_part, old_slices), (new_part, new_slices)) = (of(old), of(new));
+        let [old_part, new_part] = [old, new].map(|place| &assembly.members[place.member].part);
+        let new_slices = &assembly.held[new.member];
+        let (old_slices, history, references, initial) = match lent.slices.get(&old.member) {
+            Some(slices) => (slices, &lent.history, &lent.reference, &lent.initial),
+            None => (&assembly.held[old.member], &state.history, &state.reference, &state.initial),
+        };
+        let history = history[old_slices.history.clone()].to_vec();
+        let references = references[old_slices.reference.clone()].to_vec();
+        let initial = initial[old_slices.initial.clone()].to_vec();
         let moduli = [old, new].map(|p| model.bodies[model.patches[p.patch].body].material.relaxed());
         let ratio = moduli[0].young() / moduli[1].young();
 
         let mut moved = [[0.0; 3]; 8];
         for (k, node) in corners.iter().enumerate() {
             let node = model.engine_node[*node as usize];
-            let references = &state.reference[old_slices.reference.clone()];
             let zero = if references.is_empty() {
                 Row::ZERO
             } else if model.patches[old.patch].takes_over {
@@ -101,22 +108,20 @@ impl Engine {
         };
         let mut plastic = [0.0; 6];
         for point in 0..points {
-            let from = at(old_slices.history.start, old.index, old_columns.len(), point);
+            let from = at(0, old.index, old_columns.len(), point);
             let to = at(new_slices.history.start, new.index, columns.len(), point);
             for (a, b) in alike(old_columns, columns) {
-                state.history[to + b].0[new.index % 8] = state.history[from + a].0[old.index % 8];
+                state.history[to + b].0[new.index % 8] = history[from + a].0[old.index % 8];
             }
             let strains = old_columns.iter().enumerate().filter(|(_, c)| c.role == Role::PlasticStrain);
             for ((c, _), sum) in strains.zip(&mut plastic) {
-                *sum += shares[point] * state.history[from + c].0[old.index % 8];
+                *sum += shares[point] * history[from + c].0[old.index % 8];
             }
         }
 
         let of_displacements = hex.mean_strain(&moved);
-        let began = |c: usize| {
-            let own = &state.initial[old_slices.initial.clone()];
-            own.get(6 * (old.index / 8) + c).map_or(0.0, |octet| octet.0[old.index % 8])
-        };
+        let began =
+            |c: usize| initial.get(6 * (old.index / 8) + c).map_or(0.0, |octet| octet.0[old.index % 8]);
         let elastic = [0, 1, 2, 3, 4, 5].map(|c| of_displacements[c] + began(c) - plastic[c]);
         let elastic = moduli[1].strain(&moduli[0].stress(&elastic));
         for c in 0..6 {

@@ -290,6 +290,13 @@ impl Part for Bars {
         &self.nodes
     }
 
+    fn bytes(&self) -> usize {
+        let Bars { nodes, start, place, weight, hosts, bars, bolts, .. } = self;
+        let weights = size_of_val(&start[..]) + size_of_val(&place[..]) + size_of_val(&weight[..]);
+        let bolts = size_of_val(&hosts[..]) + size_of_val(&bars[..]) + size_of_val(&bolts[..]);
+        size_of_val(&nodes[..]) + weights + bolts
+    }
+
     /// The elements in which it lies, by whose stress friction goes.
     fn reads(&self) -> Reads {
         if self.kind.bond.is_none_or(|bond| bond.friction <= 0.0) {

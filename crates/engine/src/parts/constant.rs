@@ -25,6 +25,10 @@ impl Part for Constant {
         &self.nodes
     }
 
+    fn bytes(&self) -> usize {
+        size_of_val(&self.nodes[..]) + size_of_val(&self.resisting[..])
+    }
+
     fn forces(&self, _: &Tick, _: &Motion, _: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
         out.copy_from_slice(&self.resisting);
         Lines::default()

@@ -38,6 +38,10 @@ impl Part for Loads {
         &self.nodes
     }
 
+    fn bytes(&self) -> usize {
+        size_of_val(&self.nodes[..]) + size_of_val(&self.load.forces[..])
+    }
+
     fn state_sizes(&self) -> StateSizes {
         // The last factor, for the work between two steps.
         StateSizes { numbers: 1, ..StateSizes::default() }

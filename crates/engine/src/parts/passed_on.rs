@@ -82,6 +82,10 @@ impl Part for PassedOn {
         &self.nodes
     }
 
+    fn bytes(&self) -> usize {
+        self.elements.bytes() + size_of_val(&self.nodes[..]) + size_of_val(&self.pairs[..])
+    }
+
     fn state_sizes(&self) -> StateSizes {
         let own = self.elements.state_sizes();
         StateSizes { numbers: own.numbers + REMEMBERED * self.pairs.len(), ..own }

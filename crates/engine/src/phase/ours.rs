@@ -10,7 +10,9 @@ use crate::division::Division;
 use crate::exchange::Halo;
 use crate::free_field::Leader;
 use crate::model::Model;
+use crate::parts::UNKNOWN;
 use std::collections::BTreeMap;
+use tremolite_laws::Row;
 
 /// What a rank has of a phase besides its beats.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +25,8 @@ pub struct Ours {
     pub blocks: Vec<u32>,
     /// What is exchanged in each beat.
     pub halos: Vec<Slots>,
+    /// Contributions of others that it receives, which lie behind its own.
+    pub received: usize,
 }
 
 /// Numbers of a row that are exchanged; the fourth is none.
@@ -84,10 +88,53 @@ impl Phase {
             of_slot[assembly.slices[m as usize].contributions.clone()].fill(m);
         }
         let whole = Whole { phase: self, model, division, holders, of_slot };
-        let halos = (0..beats.len()).map(|k| whole.slots(k, &beats[k], rank)).collect();
-        let members = self.active.iter().copied().filter(|&m| of(m) == rank).collect();
-        let ours = Ours { members, holds, blocks, halos };
-        Phase { beats, ours: Some(ours), ..self.clone() }
+        let mut halos: Vec<Slots> = (0..beats.len()).map(|k| whole.slots(k, &beats[k], rank)).collect();
+        let members: Vec<u32> = self.active.iter().copied().filter(|&m| of(m) == rank).collect();
+        // From here on contributions are numbered as they lie on this rank.
+        let own = assembly.held_totals().contributions.end;
+        let mut place = vec![u32::MAX; assembly.totals().contributions.end];
+        for &m in &members {
+            let [all, held] =
+                [&assembly.slices, &assembly.held].map(|all| all[m as usize].contributions.clone());
+            all.zip(held).for_each(|(slot, held)| place[slot] = held as u32);
+        }
+        let mut received = 0;
+        for &slot in halos.iter().flat_map(|slots| &slots.receive) {
+            if place[slot as usize] == u32::MAX {
+                place[slot as usize] = (own + received) as u32;
+                received += 1;
+            }
+        }
+        // What it does not know is not a number.
+        let unknown = (own + received) as u32;
+        let now = |slot: &mut u32| *slot = place[*slot as usize].min(unknown);
+        halos.iter_mut().flat_map(|slots| slots.send.iter_mut().chain(&mut slots.receive)).for_each(now);
+        // Nodes that it does not move have no contributions here, so that nobody moves them.
+        let (mut start, mut slot, mut slot_account) = (vec![0], Vec::new(), Vec::new());
+        for (n, holds) in holds.iter().enumerate() {
+            if *holds {
+                let all = self.start[n] as usize..self.start[n + 1] as usize;
+                slot.extend_from_slice(&self.slot[all.clone()]);
+                slot_account.extend_from_slice(&self.slot_account[all]);
+            }
+            start.push(slot.len() as u32);
+        }
+        slot.iter_mut().for_each(now);
+        let mut borders = self.borders.clone();
+        borders.iter_mut().flat_map(|border| &mut border.pushes).for_each(|push| now(&mut push.slot));
+        let ours = Ours { members, holds, blocks, halos, received };
+        Phase { beats, start, slot, slot_account, borders, ours: Some(ours), ..self.clone() }
+    }
+
+    /// Room for the contributions of all parts; on a rank for its own, for those that it receives, and one that is not a number for all
+    /// others.
+    pub(crate) fn room(&self, assembly: &Assembly) -> Vec<Row> {
+        let mut room = vec![Row::ZERO; assembly.held_totals().contributions.end];
+        if let Some(ours) = &self.ours {
+            room.resize(room.len() + ours.received, Row::ZERO);
+            room.push(UNKNOWN);
+        }
+        room
     }
 
     /// What each rank moves and sends.

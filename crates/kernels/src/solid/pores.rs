@@ -28,6 +28,11 @@ const OF_OCTET: usize = 8 * HELD;
 const FLAG: usize = 1;
 
 impl Porous {
+    /// Bytes that it takes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.pores[..]) + size_of_val(&self.linear[..])
+    }
+
     /// Of elements with these shapes and the law's own moduli; none where the water of none changes its pressure.
     pub fn of(pores: &[PoresOf], geometry: &[Hex8], law: Moduli) -> Option<Self> {
         if pores.iter().all(|of| of.modulus == 0.0) {

@@ -1,8 +1,8 @@
 //! The shaking, step by step.
 
-use super::Simulation;
 use super::followed::Followed;
 use super::outcome::{Ending, Outcome};
+use super::{Simulation, Whole};
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;
@@ -12,11 +12,10 @@ use crate::transfer_table;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tremolite_engine::engine::{BodyBooks, Evaluated, Look, See, Seen};
-use tremolite_engine::exchange::To;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::State;
-use tremolite_engine::{Engine, Halt, Incident, Snapshot};
+use tremolite_engine::{Bytes, Engine, Halt, Incident, Snapshot};
 use tremolite_kernels::Lines;
 use tremolite_results::{Said, said};
 
@@ -235,6 +234,11 @@ impl Simulation {
         shaking.ended = Some(End { how, seen });
     }
 
+    /// Bytes that this process holds of parts and state, once the shaking goes on.
+    pub fn bytes(&self) -> Option<Bytes> {
+        self.shaking.as_ref().map(|shaking| shaking.engine.bytes(&self.state))
+    }
+
     /// Element updates a second of the steps made in this process, without looks; 0 before the first.
     pub fn updates_per_second(&self) -> f64 {
         self.shaking.as_ref().map_or(0.0, |Shaking { first, spent, looking, .. }| {
@@ -289,11 +293,7 @@ impl Simulation {
 
     fn write_checkpoint(&mut self) -> Result<(), RunError> {
         let mut state = std::mem::take(&mut self.state);
-        self.whole(&mut state, To::First);
-        let written = match self.writes() {
-            true => self.keep(&mut state),
-            false => Ok(()),
-        };
+        let written = self.keep(&mut state);
         self.state = state;
         written
     }
@@ -318,7 +318,8 @@ impl Simulation {
             shaking.audience.tell(&Event::End { time }, &mut self.state.observers)?;
         }
         let mut state = std::mem::take(&mut self.state);
-        self.whole(&mut state, To::First);
+        // Nothing goes on with it.
+        let Whole(_) = self.whole(&mut state);
         let shaking = self.shaking.take();
         let Simulation { model, plan, steps, dt, stable, .. } = &*self;
         let taken = if shaking.is_some() { state.steps() } else { 0 };

@@ -10,7 +10,6 @@ use crate::places;
 use crate::stages::PlannedStage;
 use std::sync::Arc;
 use tremolite_engine::engine::{Look, Relaxed, Rest};
-use tremolite_engine::exchange::To;
 use tremolite_engine::state::State;
 use tremolite_engine::{Engine, Model, Phase, Stage};
 use tremolite_laws::Row;
@@ -84,14 +83,12 @@ impl Simulation {
     pub(super) fn hand_over_begins(&mut self) -> Result<(), RunError> {
         if self.stage().is_none() && self.state.carried.is_empty() {
             let mut state = std::mem::take(&mut self.state);
-            self.whole(&mut state, To::First);
-            let written = match self.writes() {
-                true => self.folder.sync().map_err(RunError::from).and_then(|()| {
-                    let folder = self.folder.checkpoint();
-                    Ok(checkpoint::write_hand_over(&folder, &mut state, self.fingerprint)?)
-                }),
-                false => Ok(()),
-            };
+            self.nodes_whole(&mut state);
+            let synced = if self.writes() { self.folder.sync() } else { Ok(()) };
+            let written = synced.map_err(RunError::from).and_then(|()| {
+                let (folder, among) = (self.folder.checkpoint(), self.among_ranks());
+                Ok(checkpoint::write_hand_over(&folder, &mut state, self.fingerprint, &among)?)
+            });
             self.state = state;
             written?;
         }
@@ -126,8 +123,8 @@ impl Simulation {
             relaxed => StageEnd::Restless { relaxed, place: place(&self.model, phase, &relaxed) },
         };
         let at_rest = matches!(end, StageEnd::AtRest(_));
-        self.whole(state, To::All);
         let snapshot = still(engine, state).snapshot;
+        let own = self.whole(state);
         let mut memory = std::mem::take(&mut state.observers);
         let Simulation { model, assembly, plan, .. } = self;
         let history = History { assembly, octets: &state.history };
@@ -137,6 +134,7 @@ impl Simulation {
         let seen = StageSeen { stage, at_rest, rest: &rest, view, u, start, last, reference };
         let told = audience.tell(&Event::StageEnds(seen), &mut memory);
         state.observers = memory;
+        own.give_back(state);
         engine.own(state);
         told.map(|()| end)
     }
@@ -169,11 +167,7 @@ impl Simulation {
             let share = share(rest, planned, start_ratio);
             let go = watch(&Cycle { stage, cycle, rest: *rest, share });
             let [stop, keep] = self.agreed(go == Go::Stop, go == Go::Checkpoint);
-            if stop || keep {
-                self.whole(state, To::First);
-            }
             if (stop || keep)
-                && self.writes()
                 && let Err(e) = self.keep(state)
             {
                 failed = Some(e);

@@ -30,6 +30,7 @@ mod outside_part;
 mod poison;
 mod power_loss;
 mod ranks;
+mod ranks_bytes;
 mod ready;
 mod recorded;
 mod reinforcement;

@@ -31,7 +31,7 @@ use tremolite_mesh::locate::Locator;
 use tremolite_results::{PageWish, ResultFolder};
 
 /// Stages that need not come near to rest, and a short pulse.
-fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
+pub fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
     let locator = Locator::new(&problem.mesh, None);
     let release = Release { cycles: 20, tolerance: [2e-2, 2e-1], most: 3000, ..Release::default() };
     let middle = |share: [f64; 3]| {
@@ -219,7 +219,11 @@ fn shaken(mut problem: Problem) -> Problem {
 /// Ground under initial stress with a layer that cracks, a joint that slides, anchors with friction, bars that yield, a pit that is dug, and
 /// a free field.
 fn pit_problem() -> Problem {
-    let mut problem = shaken(bolts_bits::bolted(Isa::best()));
+    pit_of(bolts_bits::bolted(Isa::best()))
+}
+
+pub fn pit_of(bolted: Problem) -> Problem {
+    let mut problem = shaken(bolted);
     problem.bodies[1].material = concrete(5e3, "effective");
     let law: Vec<_> = BANDIS.iter().map(|&(key, x)| (key, if key == "cohesion" { 1e3 } else { x })).collect();
     problem.interfaces = vec![between(&problem, [1, 0], "bandis", &law)];
@@ -229,7 +233,11 @@ fn pit_problem() -> Problem {
 }
 
 fn pit() -> Case {
-    let mut case = Case::new(pit_problem(), &["start", "bolts", "pit"], 0.012);
+    pit_case(pit_problem())
+}
+
+fn pit_case(problem: Problem) -> Case {
+    let mut case = Case::new(problem, &["start", "bolts", "pit"], 0.012);
     case.plan.bolts = vec![BoltMonitor { name: "anchor".into(), point: [3.0, 3.0, 10.0], set: 0 }];
     case.plan.pairs = vec![PairMonitor { name: "pair".into(), point: [6.0, 5.0, 6.0], interface: 0 }];
     case
@@ -293,6 +301,19 @@ fn a_run_with_water_goes_on_where_it_was_stopped_in_the_stage_that_changes_it() 
 #[test]
 fn any_number_of_ranks_and_threads_writes_the_files_of_one_process() {
     pit().holds("pit", &ALL);
+}
+
+/// Machines of a cluster may differ in the instructions that they have.
+#[test]
+fn ranks_with_unlike_instruction_sets_write_the_files_of_one_process() {
+    let cases = [Isa::best(), Isa::Scalar].map(|isa| pit_case(pit_of(bolts_bits::bolted(isa))));
+    assert!(Isa::best() != Isa::Scalar || !cfg!(target_arch = "x86_64"), "there are two to compare");
+    let whole = cases[0].alone();
+    let drive = |folder: &ResultFolder, ranks: Option<Arc<Ranks>>| {
+        let own = ranks.as_ref().map_or(0, |ranks| ranks.rank() as usize % 2);
+        through(cases[own].simulation(folder, Start::Rest, ranks))
+    };
+    same("unlike instruction sets", &whole, &cases[0].among(how(3, 1, false), drive).0);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::block::block;
 use crate::ready::Ready;
 use std::sync::Arc;
 use tremolite::Domain;
+use tremolite::checkpoint::Among;
 use tremolite::phase::Drive;
 use tremolite::{Assembly, Base, Engine, Life, Line, Model, Phase, Side, Stage, State, laws, stable_step};
 use tremolite_laws::{Row, Value, Values};
@@ -248,9 +249,9 @@ fn a_checkpoint_keeps_the_step_at_which_the_earthquake_began() {
     let dt = state.dt;
     state.begin(dt);
     (0..3).for_each(|_| engine.step(&mut state));
-    tremolite::checkpoint::write(folder.path(), &mut state, 1).unwrap();
+    tremolite::checkpoint::write(folder.path(), &mut state, 1, &Among(None)).unwrap();
     let mut read = ready.rest(0.9);
-    tremolite::checkpoint::read(folder.path(), &mut read, 1).unwrap();
+    tremolite::checkpoint::read(folder.path(), &mut read, 1, &Among(None)).unwrap();
     assert!(read == state);
     assert_eq!((read.step, read.steps(), read.time()), (8, 3, 3.0 * dt));
 }

@@ -20,8 +20,9 @@ pub fn print_lines(shared: &SharedOut) {
     ];
     print(&format!("  sent in a step: {} by a rank in the mean, {} at most", sent(mean), sent(most)));
     print(&format!(
-        "  each rank holds the whole model and room for its state, {}",
-        bytes(shared.memory_bytes)
+        "  about {} of memory for the rank with most work, and up to {} for the first where it writes what all have",
+        bytes(shared.memory_bytes),
+        bytes(shared.first_bytes)
     ));
     let idle = of_rank.iter().filter(|one| one.work == 0.0).count();
     if idle > 0 {
