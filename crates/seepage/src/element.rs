@@ -83,14 +83,23 @@ fn relative(pressure_head: f64, height: f64, left: f64) -> f64 {
 }
 
 /// k_r of an element: of its corners, each as far as its head is above the lowest of them. So it goes by where the water comes from; by the
-/// mean of the points what trickles down through dry ground would swing from iteration to iteration.
-pub(crate) fn relative_of(heads: &[f64; 8], pressure_heads: &[f64; 8], height: f64, left: f64) -> f64 {
+/// mean of the points what trickles down through dry ground would swing from iteration to iteration. Corners that fall together count once.
+pub(crate) fn relative_of(
+    corners: &[u32; 8],
+    heads: &[f64; 8],
+    pressure_heads: &[f64; 8],
+    height: f64,
+    left: f64,
+) -> f64 {
     let lowest = heads.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = heads.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // In still water all count the same.
     let even = 1e-9 * height + f64::EPSILON * highest.abs().max(lowest.abs());
     let (mut sum, mut weights) = (0.0, 0.0);
-    for (h, p) in heads.iter().zip(pressure_heads) {
+    for (i, (h, p)) in heads.iter().zip(pressure_heads).enumerate() {
+        if corners[..i].contains(&corners[i]) {
+            continue;
+        }
         let weight = h - lowest + even;
         sum += weight * relative(*p, height, left);
         weights += weight;

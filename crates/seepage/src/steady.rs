@@ -220,7 +220,7 @@ impl Search {
             if self.share[e] == 1.0 && above.iter().all(|h| *h >= 0.0) {
                 continue;
             }
-            let goal = relative_of(&heads, &above, self.heights[e], left);
+            let goal = relative_of(corners, &heads, &above, self.heights[e], left);
             let wanted = goal - self.share[e];
             let [step, last] = &mut pace[e];
             *step =

@@ -23,7 +23,7 @@ const WATER: [(&str, &str); 4] = [
         r#"[water]                            # laws then see effective stress
 level    = "-20 m"                 # of the initial state
 pressure = "seepage"               # steady flow to walls and drains in each stage; "level" for still water
-heads    = { xmin = "-20 m", xmax = "-20 m" }   # where the water comes from
+heads    = { xmin = "-20 m", xmax = "-20 m", base = "-20 m" }   # where the water comes from
 
 "#,
     ),
@@ -34,21 +34,12 @@ heads    = { xmin = "-20 m", xmax = "-20 m" }   # where the water comes from
     ),
     (
         "# tensile_strength =",
-        r#"water       = "none"              # it closes the wall behind it, unless its interface is drained
+        r#"water       = "none"              # it closes the wall behind it, unless that is drained
 "#,
     ),
     (
-        "# Before the earthquake:",
-        r#"[[interface]]                      # without a bond, so that the water comes between the two
-name             = "back"
-between          = ["hall.lining", "rock"]
-law              = "coulomb"
-normal_stiffness = "20 GPa/m"
-shear_stiffness  = "10 GPa/m"
-friction         = 0.6
-cohesion         = "0 Pa"
-water            = { drained = true }   # a drainage layer; without it the head builds up, more than flat walls bear
-
+        "\n[motion]",
+        r#"water    = { drained = ["hall.*"] }  # drains behind the lining; else it closes the wall, and wants an [[interface]] without a bond
 "#,
     ),
 ];

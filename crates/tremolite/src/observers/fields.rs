@@ -28,7 +28,8 @@ pub struct FieldGrid {
     grid: Grid,
     /// Engine node of each point of the grid.
     nodes: Vec<u32>,
-    /// Where each cell's results lie.
+    /// Element of the mesh of each cell, and where its results lie.
+    elements: Vec<u32>,
     slots: Vec<ElementSlot>,
 }
 
@@ -68,7 +69,7 @@ impl FieldGrid {
         ];
         grid.cell_data.extend(groups(model, &active));
         let nodes = mesh_nodes.iter().map(|&n| model.engine_node[n as usize]).collect();
-        FieldGrid { grid, nodes, slots }
+        FieldGrid { grid, nodes, elements: active, slots }
     }
 
     /// Writes a file of the fields that the plan wants, and of more vectors by engine node with their names and units.
@@ -154,9 +155,8 @@ impl FieldGrid {
                 };
                 let Some(flow) = flow_in(&view.plan.stages, stage) else { return };
                 // Slabs of the ground outside have no flow of their own.
-                let of =
-                    |s: &ElementSlot| flow.velocities.get(s.element as usize).copied().unwrap_or_default();
-                let values = self.slots.iter().flat_map(of).map(|x| x as f32).collect();
+                let of = |&e: &u32| flow.velocities.get(e as usize).copied().unwrap_or_default();
+                let values = self.elements.iter().flat_map(of).map(|x| x as f32).collect();
                 grid.cell_data.push(Array::new("seepage", "m/s", 3, Values::Float32(values)));
             }
             Field::Plastic | Field::History | Field::Interface => {}

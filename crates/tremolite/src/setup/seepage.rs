@@ -6,7 +6,7 @@ mod names;
 
 pub use names::check_names;
 
-use super::water::{pores, shown};
+use super::water::{mean_of, pores, shown};
 use crate::seepage::StageFlow;
 use crate::stages::PlannedStage;
 use bounds::{Around, Bounds};
@@ -16,7 +16,6 @@ use tremolite_case::{Case, Diagnostic, Pressure};
 use tremolite_engine::hexahedra::hex_nodes;
 use tremolite_engine::water::Spell;
 use tremolite_engine::{Problem, Stage};
-use tremolite_laws::shapes::hex8::{gauss_point, shape_values};
 use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
 use tremolite_results::{Said, said};
 use tremolite_seepage::{Flow, Ground, Holds, Place, SeepageError, steady};
@@ -174,9 +173,8 @@ fn spell(weight: f64, stage: Stage, space: &Problem, ground: &[u32], joined: &[u
     let mut elements = vec![0.0; mesh.elements.len()];
     for &e in ground {
         let corners = hex_nodes(mesh, e as usize).map(head);
-        let at =
-            |q: usize| -> f64 { shape_values(gauss_point(q)).iter().zip(corners).map(|(n, p)| n * p).sum() };
-        elements[e as usize] = (0..8).map(|q| at(q).max(0.0)).sum::<f64>() / 8.0;
+        let at = |shares: [f64; 8]| shares.iter().zip(corners).map(|(n, p)| n * p).sum::<f64>().max(0.0);
+        elements[e as usize] = mean_of(mesh, e as usize, at);
     }
     let mut nodes = vec![0.0; mesh.nodes.len()];
     let mut wet = vec![false; mesh.nodes.len()];

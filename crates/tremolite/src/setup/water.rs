@@ -33,14 +33,20 @@ fn pressure(case: &Case, level: f64, z: f64) -> f64 {
     case.water.as_ref().map_or(0.0, |water| water.unit_weight.value * (level - z).max(0.0))
 }
 
-/// Mean pressure \[Pa\] of an element's 2×2×2 points.
+/// Mean pressure \[Pa\] of an element.
 pub fn mean(case: &Case, mesh: &Mesh, element: usize, level: f64) -> f64 {
     let corners = hex_nodes(mesh, element).map(|n| mesh.nodes[n as usize][2]);
-    let at = |p: usize| {
-        let shares = shape_values(gauss_point(p));
-        pressure(case, level, shares.iter().zip(corners).map(|(n, z)| n * z).sum())
-    };
-    (0..8).map(at).sum::<f64>() / 8.0
+    let at = |shares: [f64; 8]| pressure(case, level, shares.iter().zip(corners).map(|(n, z)| n * z).sum());
+    mean_of(mesh, element, at)
+}
+
+/// Mean over the volume of an element of what a function makes of the shares of its corners at a point, by the 2×2×2 points with their volumes:
+/// those of collapsed hexahedra crowd at the corners that fall together, and the plain mean of points would depend on which these are. That
+/// plain mean where the element has no volume.
+pub fn mean_of(mesh: &Mesh, element: usize, at: impl Fn([f64; 8]) -> f64) -> f64 {
+    let weights = hex(mesh, element).map_or([1.0; 8], |hex| hex.weights);
+    let of = |(p, weight): (usize, &f64)| weight * at(shape_values(gauss_point(p)));
+    weights.iter().enumerate().map(of).sum::<f64>() / weights.iter().sum::<f64>()
 }
 
 /// What the initial stress must know: pressure \[Pa\] in the pores of what is there at the start, by element; none without water, or

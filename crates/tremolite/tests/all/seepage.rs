@@ -9,6 +9,7 @@ use tremolite::seepage::StageFlow;
 use tremolite::simulation::{Ending, Go, Start};
 use tremolite::stages::flow_in;
 use tremolite_mesh::boxes::BoxSpec;
+use tremolite_mesh::vtu::{Grid, Values};
 use tremolite_results::{ResultFolder, Status};
 
 const HALL: &str = r#"title = "hall in wet rock"
@@ -198,6 +199,27 @@ fn pressures_have_the_same_bits_on_any_number_of_threads() {
         pool.install(|| made(HALL).model.water.clone())
     };
     assert_eq!(on(1), on(2));
+}
+
+/// The field of a stage has the flow of each element at that element.
+#[test]
+fn the_field_has_the_flow_of_its_elements() {
+    let folder = tempfile::tempdir().unwrap();
+    let job = made(&format!("{HALL}[output]\nfields = [\"seepage\"]\n"));
+    let results = ResultFolder::create(Some(folder.path()), "field", true).unwrap();
+    let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
+    job.run(&results, Start::Rest, &Caller::new("test"), &mut control).unwrap();
+    let grid = Grid::read(&results.stage_fields().join("001.vtu")).unwrap();
+    let array = |name: &str| &grid.cell_data.iter().find(|array| array.name == name).unwrap().values;
+    let (Values::Int64(elements), Values::Float32(found)) = (array("element"), array("seepage")) else {
+        panic!("other kinds of numbers")
+    };
+    let exact = &flow(&job, 1).velocities;
+    let moves = elements.iter().filter(|&&e| exact[e as usize - 1] != [0.0; 3]).count();
+    assert!(moves > 200 && found.len() == 3 * elements.len());
+    for (e, found) in elements.iter().zip(found.chunks(3)) {
+        assert_eq!(exact[*e as usize - 1].map(|q| q as f32), found, "element {e}");
+    }
 }
 
 /// What a stopped run goes on with is found anew, and is the same: so are its files.

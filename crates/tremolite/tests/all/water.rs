@@ -1,11 +1,13 @@
 //! Cases with water: level ground, a drawdown, wet weight, a lake, and what is refused and warned of.
 
 use std::sync::atomic::AtomicBool;
+use tremolite::Stage;
 use tremolite::hexahedra::centroid;
 use tremolite::job::{Caller, Given, Inputs, Job};
 use tremolite::run::Control;
 use tremolite::simulation::Start;
 use tremolite_mesh::boxes::BoxSpec;
+use tremolite_mesh::{Element, Shape};
 use tremolite_results::{ResultFolder, StageSummary, Status};
 
 const GROUND: &str = r#"title = "level ground with water"
@@ -200,5 +202,37 @@ fn openings_below_the_level_and_linings_tied_to_wet_rock_are_warned_of() {
     for (level, words) in [("10 m", "nothing presses on its top"), ("-300 m", "below the model")] {
         let said = job(&GROUND.replace("-50 m", level)).unwrap().said();
         assert!(has(&said, words), "{said:?}");
+    }
+}
+
+/// Still water presses on a wedge as at its centre of mass, whichever corners of the hexahedron fall together.
+#[test]
+fn pressures_of_wedges_know_no_order_of_corners() {
+    let bricks = BoxSpec::uniform([0.0, 0.0, -96.0], [32.0, 16.0, 0.0], [2, 1, 6]).mesh().unwrap();
+    for turns in 0..3 {
+        let turned = |n: [u32; 6]| {
+            let at = |k: usize| n[k / 3 * 3 + (k + turns) % 3];
+            Element::new(Shape::Wedge6, &[0, 1, 2, 3, 4, 5].map(at))
+        };
+        // Parted across y, so that corners at different heights fall together.
+        let parted = |n: [u32; 8]| {
+            [turned([n[0], n[4], n[5], n[3], n[7], n[6]]), turned([n[0], n[5], n[1], n[3], n[6], n[2]])]
+        };
+        let mut mesh = bricks.clone();
+        mesh.elements = bricks.elements.iter().flat_map(|e| parted(e.nodes)).collect();
+        mesh.faces.clear();
+        mesh.groups = [("ground".to_owned(), (0..mesh.elements.len() as u32).collect())].into();
+        let box_of = &GROUND[GROUND.find("[mesh.box]").unwrap()..GROUND.find("[water]").unwrap()];
+        let text = GROUND.replace(box_of, "[mesh.file]\npath = \"g.msh\"\n").replace("-200 m", "-90 m");
+        let inputs = Inputs { meshes: [("g.msh".to_owned(), mesh.clone())].into(), ..Inputs::default() };
+        let folder = tempfile::tempdir().unwrap();
+        let job = Job::of_text(&text, folder.path(), &Given { inputs, ..Given::default() }).unwrap();
+        for e in (0..mesh.elements.len() as u32).filter(|&e| centroid(&mesh, e)[2] < -64.0) {
+            let (found, exact) = (
+                job.model.water.pressure(e as usize, Stage::Before(0)),
+                -9810.0 * (50.0 + centroid(&mesh, e)[2]),
+            );
+            assert!((found / exact - 1.0).abs() < 1e-12, "{turns} turns, element {e}: {found} for {exact}");
+        }
     }
 }
