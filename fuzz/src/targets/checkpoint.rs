@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
-use tremolite::checkpoint;
+use tremolite::checkpoint::{self, Among};
 use tremolite::job::{Given, Job};
 use tremolite::state::State;
 use tremolite_results::CHECKPOINTS;
@@ -50,7 +50,8 @@ fn job() -> &'static Job {
 /// The state of the column at rest, as bytes that begin with `S`.
 pub fn seed() -> Vec<u8> {
     let folder = tempfile::tempdir().expect("a folder");
-    checkpoint::write(folder.path(), &mut job().assembly.rest(), FINGERPRINT).expect("a checkpoint");
+    checkpoint::write(folder.path(), &mut job().assembly.rest(), FINGERPRINT, &Among(None))
+        .expect("a checkpoint");
     let file = fs::read(folder.path().join(CHECKPOINTS[0])).expect("it was written");
     let (length, rest) = file[BEGINNING.len()..file.len() - 4].split_first_chunk::<8>().expect("a length");
     let length = u16::try_from(u64::from_le_bytes(*length)).expect("a short header");
@@ -124,14 +125,15 @@ pub fn state(bytes: &[u8]) -> bool {
     let _ = fs::remove_file(earlier);
     let mut state = job().assembly.rest();
     let own: Vec<String> = shape(&mut state);
-    match checkpoint::read(root, &mut state, FINGERPRINT) {
+    match checkpoint::read(root, &mut state, FINGERPRINT, &Among(None)) {
         Err(why) => assert!(!why.what().is_empty()),
         Ok(_) => {
             let read = shape(&mut state);
             assert!(own.iter().all(|column| read.contains(column)), "columns are lost");
-            checkpoint::write(root, &mut state, FINGERPRINT).expect("what was read can be written");
+            checkpoint::write(root, &mut state, FINGERPRINT, &Among(None))
+                .expect("what was read can be written");
             let mut again = job().assembly.rest();
-            checkpoint::read(root, &mut again, FINGERPRINT).expect("and read again");
+            checkpoint::read(root, &mut again, FINGERPRINT, &Among(None)).expect("and read again");
         }
     }
     true
