@@ -16,9 +16,9 @@ use crate::{Spanned, key_path, suggest, units};
 /// What to do about a name that [`begins_a_formula`].
 pub const NO_FORMULA: &str = "names stand in tables, where spreadsheets take = + - @ at the beginning for a formula: begin with another character";
 
-/// Whether a spreadsheet computes what begins so, in place of showing it.
+/// Whether a spreadsheet computes what begins so, in place of showing it. A number is no formula.
 pub fn begins_a_formula(text: &str) -> bool {
-    text.starts_with(['=', '+', '-', '@'])
+    text.starts_with(['=', '+', '-', '@']) && !text.parse().is_ok_and(f64::is_finite)
 }
 
 impl Checker<'_> {
@@ -233,9 +233,10 @@ impl Checker<'_> {
         self.refuse(span, path, &message, &remedy)
     }
 
-    /// A text that a terminal, a log and a page may show as it is.
+    /// A text that a terminal, a log and a page may show as it is. Names of files are shown with their escapes, and one written with
+    /// backslashes is told of as such.
     fn text(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
-        if text.contains(char::is_control) {
+        if text.contains(char::is_control) && !matches!(last(path), "file" | "path") {
             let remedy = "write it on one line, without tabs and other characters that do not print";
             return self.refuse(span, path, "has a control character in it", remedy);
         }

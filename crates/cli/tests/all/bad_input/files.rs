@@ -4,7 +4,7 @@ use super::{Row, refusals, row};
 
 #[rustfmt::skip]
 const MESH: &[Row] = &[
-    row("2.2 0 8", "3 0 8", 3, "hall.msh, line 2: this is MSH version 3, expected 4.1 or 2; export it as MSH 4.1 (in Gmsh: File > Export, .msh, `Version 4 ASCII`", "or `gmsh FILE -save -format msh41 -o NEW.msh`)"),
+    row("2.2 0 8", "3 0 8", 3, "hall.msh, line 2: this is MSH version 3, expected 4.1 or 2", "export it as MSH 4.1 (in Gmsh: File > Export, .msh, `Version 4 ASCII`, or by `gmsh FILE -save -format msh41 -o NEW.msh`)"),
     row("$Nodes\n98", "$Nodes\n99", 3, "hall.msh, line 110: the section ends here, expected a node", "the file is cut short or damaged"),
     row("1 -6 0 -22", "1 -6 0 nan", 3, "hall.msh, line 12: `nan` stands where a coordinate should", "change the mesh"),
     row("1 -6 0 -22", "1 -6 0 1e999", 3, "hall.msh, line 12: `1e999` stands where a coordinate should", "change the mesh"),
