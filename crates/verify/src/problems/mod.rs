@@ -49,7 +49,7 @@ problems! {
     layer_transfer Test,
     recorded_motion Test,
     oblique_waves Test,
-    oblique_unbounded Full,
+    oblique_unbounded Verify,
     free_field_tunnel Test,
     mirror_image Test,
     box_size Verify,
