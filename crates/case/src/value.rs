@@ -233,11 +233,12 @@ impl Checker<'_> {
         self.refuse(span, path, &message, &remedy)
     }
 
-    /// A text that a terminal, a log and a page may show as it is. Names of files are shown with their escapes, and one written with
+    /// A text, on one line or several, that a terminal, a log and a page may show as it is. Names of files are shown with their escapes, and one written with
     /// backslashes is told of as such.
     fn text(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
-        if text.contains(char::is_control) && !matches!(last(path), "file" | "path") {
-            let remedy = "write it on one line, without tabs and other characters that do not print";
+        let commands = |c: char| c.is_control() && c != '\n';
+        if text.contains(commands) && !matches!(last(path), "file" | "path") {
+            let remedy = "leave out tabs and other characters that do not print";
             return self.refuse(span, path, "has a control character in it", remedy);
         }
         Some(Item::Text(text.to_owned()))

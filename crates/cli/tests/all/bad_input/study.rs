@@ -9,7 +9,7 @@ const SOUND: &str = include_str!("../../../../../fuzz/corpus/study/every.toml");
 #[rustfmt::skip]
 const ROWS: &[Row] = &[
     row("title = \"what matters\"\n", "", 1, "`title` is missing", "add title = \"…\" (what the study asks)"),
-    row("title = \"what matters\"", "title = \"a\\u001bb\"", 1, "`title` has a control character in it", "write it on one line"),
+    row("title = \"what matters\"", "title = \"a\\u001bb\"", 1, "`title` has a control character in it", "leave out tabs"),
     row("uniform = [0.5, 1.2]", "uniform = [1.2, 0.5]", 8, "`uniform`: its end is not above its beginning", "write [least, largest]"),
     row("beta = 0.25", "beta = -0.25", 9, "`median` and `beta` must be above 0", "write { median = \"1.2 MPa\", beta = 0.25 }"),
     row("count = 3", "count = 0", 12, "`range`: `count` is a whole number from 2", "write count = 5"),
