@@ -145,7 +145,7 @@ impl<M: Material, R: Rule> Solid<M, R> {
         Pass {
             rule: &self.rule,
             stabilisation: &self.stabilisation,
-            point: Point::new(dt),
+            point: Point { looked_at: probe.is_some(), ..Point::new(dt) },
             index: &self.index,
             geometry: &self.geometry,
             history,

@@ -15,6 +15,9 @@ pub struct Point<L> {
     /// was, this step included.
     pub brings: bool,
     pub since: L,
+    /// Whether somebody looks at this instant: columns that nothing but results reads ([`Role::CrackWidth`](crate::Role::CrackWidth))
+    /// are found then alone, and keep what they were in other steps.
+    pub looked_at: bool,
     /// Size tensor of the element \[m²\], G = ½ Σ (x − x̄)⊗(x − x̄) over its corners, in the axes of the strain
     /// (xx, yy, zz, xy, yz, zx): √(p·G·p) is its extent along p, for a brick the edge along an edge. Element kernels
     /// fill it where [`Material::NEEDS_SIZE`] says so; else it is zero.
@@ -22,16 +25,17 @@ pub struct Point<L> {
 }
 
 impl<L: Lane> Point<L> {
-    /// A point at a time step \[s\], of an element without a size, at which all memory is brought on.
+    /// A point at a time step \[s\], of an element without a size, at which all memory is brought on and somebody looks.
     #[inline(always)]
     pub fn new(dt: L) -> Self {
-        Point { dt, brings: true, since: dt, size: [L::splat(0.0); 6] }
+        Point { dt, brings: true, since: dt, looked_at: true, size: [L::splat(0.0); 6] }
     }
 
     /// The same instant for lanes.
     #[inline(always)]
     pub fn splat(point: &Point<f64>) -> Self {
-        Point { brings: point.brings, since: L::splat(point.since), ..Point::new(L::splat(point.dt)) }
+        let Point { brings, looked_at, .. } = *point;
+        Point { brings, looked_at, since: L::splat(point.since), ..Point::new(L::splat(point.dt)) }
     }
 
     /// The element's extent \[m\] along a unit vector p, √(p·G·p).

@@ -207,6 +207,12 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
             "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; pieces that come loose are not followed."
         ),
     ];
+    if source.shakes() && model::goes_by_rate(summary) {
+        all.push(say!(
+            language,
+            "Concrete that is strained fast is stronger: thrust and moment may exceed what its static strength allows."
+        ));
+    }
     if summary.parts.sections.is_empty() {
         all.push(say!(
             language,

@@ -358,7 +358,7 @@ fn relative(source: &Source, facts: &Summary) -> Option<VerdictLine> {
     if !loose.is_empty() {
         text = say!(
             source.language,
-            "{first} Not counted: {pairs}, of which a monitor is on a piece that came loose.",
+            "{first} Not counted: {pairs}, of which a monitor is on a broken element.",
             first = text,
             pairs = loose.join(", ")
         );

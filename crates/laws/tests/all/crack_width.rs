@@ -104,3 +104,28 @@ fn what_the_stress_explains_is_no_crack() {
     assert!(history[0] > 0.1, "damaged: {}", history[0]);
     assert_eq!([history[1], width(&history)], [0.0; 2]);
 }
+
+/// Where nobody looks the width stays what it was; all else is as if somebody did.
+#[test]
+fn the_width_alone_waits_until_somebody_looks() {
+    let mut random = Random::new(11);
+    let law = cracking(&[("evolution", "exponential")]);
+    let column = position(Concrete::HISTORY, Role::CrackWidth).unwrap();
+    let [x, y, z] = EDGES.map(|edge| edge * edge);
+    let seen = Point { size: [x, y, z, 0.0, 0.0, 0.0], ..Point::new(0.0) };
+    let unseen = Point { looked_at: false, ..seen };
+    let (mut with, mut without) = (virgin::<Concrete>(), virgin::<Concrete>());
+    let mut moved = 0;
+    for step in 0..200 {
+        let strain = std::array::from_fn(|_| 1e-3 * random.symmetric());
+        let last = without[column];
+        let (stress, new) = law.update(&seen, strain, with);
+        let (same, now) = law.update(&unseen, strain, without);
+        assert_eq!(now[column], last);
+        (with, without) = (new, now);
+        moved += usize::from(with[column] != without[column]);
+        without[column] = with[column];
+        assert_eq!((stress, with), (same, without), "step {step}");
+    }
+    assert!(moved > 100, "{moved} widths of 200 changed");
+}

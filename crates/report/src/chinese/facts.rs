@@ -17,7 +17,7 @@ pub const TEXTS: Texts = &[
         "{monitor}，{time}，monitors.csv 同一行各分量合成",
     ),
     ("{pair} at {time}, its length", "{pair}，{time}，为矢量长度"),
-    ("{first}; not counted, since loose: {names}", "{first}；不含 {names}（混凝土块已松动）"),
+    ("{first}; not counted, on broken elements: {names}", "{first}；不含 {names}（位于断裂单元上）"),
     ("Largest relative displacement", "最大相对位移"),
     ("Force of the bolt nearest to yield", "最接近屈服的锚杆轴力"),
     (

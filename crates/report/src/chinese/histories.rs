@@ -26,13 +26,13 @@ pub const TEXTS: Texts = &[
         "各监测点位移减去每一时刻全部监测点的平均值：共同的运动不产生应变，已扣除。请看是否有监测点最终偏离其余各点。",
     ),
     (
-        "{first} Not in the mean, since they are on pieces that came loose: {monitors}.",
-        "{first}未计入平均值（所在混凝土块已松动）：{monitors}。",
+        "{first} Not in the mean, since they are on broken elements: {monitors}.",
+        "{first}未计入平均值（位于断裂单元上）：{monitors}。",
     ),
     ("Relative displacement", "相对位移"),
     (
-        "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a piece that came loose.",
-        "{first}未绘出：{pair}，沿某一轴最大 {size}，其中一个监测点所在混凝土块已松动。",
+        "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a broken element.",
+        "{first}未绘出：{pair}，沿某一轴最大 {size}，其中一个监测点位于断裂单元上。",
     ),
     ("The case names no pairs of monitors ([[relative]]).", "算例没有指定监测点对（[[relative]]）。"),
     (
@@ -50,8 +50,12 @@ pub const TEXTS: Texts = &[
         "σ₀ + C:Δε 的第一主值（monitors.csv 中的 s1_elastic）：震动开始时的应力，加上此后应变在不开裂、不屈服时所增加的应力。与上图 s1 对照：s1 还含频带阻尼在快速变化时附加的应力；s1_elastic 继续变化而 s1 下降之处，应力已由裂缝释放。",
     ),
     (
-        "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
-        "{first}未绘出：{monitor}，最大 {size}，所在混凝土块已松动。",
+        "{first} Not drawn: {monitor}, up to {size}, on a broken element.",
+        "{first}未绘出：{monitor}，最大 {size}，位于断裂单元上。",
+    ),
+    (
+        "{first} Not drawn: {monitor}, up to {size}: its element has cracked open.",
+        "{first}未绘出：{monitor}，最大 {size}：其所在单元已裂开。",
     ),
     (
         "{first} {component}: of any two monitors that are not on broken elements the correlation is at least {correlation} ({least}), and the shift in time at which they fit best at most {lag} ({latest}).",

@@ -52,7 +52,7 @@ pub const TEXTS: Texts = &[
          times the thickness.",
         "内力按总应力计；含孔隙水的衬砌，其有效轴力更偏拉，差值为孔隙水压力乘以厚度。",
     ),
-    ("{names}: on pieces that came loose", "{names}：位于已松脱的块体上"),
+    ("{names}: on broken elements", "{names}：位于断裂单元上"),
     (
         "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE.",
         "未给出验收限值：可在算例的 [report.limits] 中给出，或用命令 report 的选项 --limits 给出文件。",
@@ -90,6 +90,12 @@ pub const TEXTS: Texts = &[
     (
         "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; pieces that come loose are not followed.",
         "裂缝宽度为一个单元内各平行裂缝之和，因而与网格有关；脱落的块体不作追踪。",
+    ),
+    ("strength the same at any strain rate", "强度与应变率无关"),
+    ("strength grows with the strain rate ({law})", "强度随应变率提高（{law}）"),
+    (
+        "Concrete that is strained fast is stronger: thrust and moment may exceed what its static strength allows.",
+        "快速加载的混凝土强度高于静态强度，轴力与弯矩可因此超出静态承载力。",
     ),
     (
         "No section is judged by a code: [[section]] in the case asks for it. Detailing is not checked.",

@@ -229,10 +229,10 @@ pub const TEXTS: Texts = &[
     // Materials.
     ("monitors on broken elements", "位于断裂单元上的监测点"),
     ("no monitor is in a material that can crack", "没有监测点位于会开裂的材料中"),
-    ("an element with all points broken in tension is a loose piece", "所有积分点均已拉断的单元是松动块体"),
+    ("nothing holds an element with all points broken in tension", "所有积分点均已拉断的单元不再受约束"),
     (
-        "{monitors}: every point of the element is broken; its displacement is that of a loose piece",
-        "{monitors}：单元的所有积分点均已断裂；其位移是松动块体的位移",
+        "{monitors}: every point of the element is broken in tension; its displacement is not the lining's",
+        "{monitors}：单元的所有积分点均已拉断；其位移不代表衬砌的位移",
     ),
     ("yielding rock without initial stress", "无初始应力的屈服岩体"),
     ("the ground begins with initial stress", "地层具有初始应力"),

@@ -114,7 +114,7 @@ pub const TEXTS: Texts = &[
         "监测点 {pair} 的相对位移最大为 {most}（{time}\u{a0}s）；结束时为 {left}。",
     ),
     (
-        "{first} Not counted: {pairs}, of which a monitor is on a piece that came loose.",
-        "{first}未计入：{pairs}，其中有监测点所在混凝土块已松动。",
+        "{first} Not counted: {pairs}, of which a monitor is on a broken element.",
+        "{first}未计入：{pairs}，其中有监测点位于断裂单元上。",
     ),
 ];

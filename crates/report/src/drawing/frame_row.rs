@@ -15,6 +15,8 @@ const EDGE: f64 = 6.0;
 /// Above the maps: the title, and a line for what each of several is.
 const TITLE: f64 = 30.0;
 const LINE: f64 = 20.0;
+/// A second such line.
+const SECOND: f64 = 15.0;
 /// Below a map: its numbers.
 const BELOW: f64 = 44.0;
 const TALLEST: f64 = 560.0;
@@ -63,19 +65,28 @@ impl MapRow {
     pub fn draw(&self, title: &str, maps: &[(String, Frame)], description: &str) -> String {
         let mut svg = Svg::new(self.width);
         svg.text((LEFT, TITLE - 12.0), Anchor::Start, 14.0, Style::Bold, title);
-        let line = if maps.iter().any(|(name, _)| !name.is_empty()) { LINE } else { 0.0 };
+        // On a narrow figure a name has all up to the bar, and two lines if it needs them.
+        let narrow = self.width < WIDTH && !self.beside;
+        let names = |(name, frame): &(String, Frame)| match narrow {
+            true => halves(name, LEFT + frame.size().0 - EDGE).map(str::to_owned),
+            false => [String::new(), name.clone()],
+        };
+        let names: Vec<[String; 2]> = maps.iter().map(names).collect();
+        let mut line = if names.iter().any(|[_, name]| !name.is_empty()) { LINE } else { 0.0 };
+        line += if names.iter().any(|[first, _]| !first.is_empty()) { SECOND } else { 0.0 };
         let above = if title.is_empty() { 0.0 } else { TITLE };
         let (mut at, mut end) = ((LEFT, (above + line).max(8.0)), (0.0, 0.0));
         let top = at.1;
-        for (k, (name, frame)) in maps.iter().enumerate() {
+        for (k, ((_, frame), name)) in maps.iter().zip(&names).enumerate() {
             frame.paint(&mut svg, at, k == 0 || !self.beside);
             let (width, height) = frame.size();
-            // Beside other maps a name has its map's width; on a narrow figure all up to the bar.
-            let narrow = self.width < WIDTH && !self.beside;
+            // Beside other maps a name has its map's width.
             let from = if narrow { EDGE } else { at.0 };
             let room = if self.beside || narrow { at.0 + width - from } else { self.width - LEFT };
-            let size = 13.0 * (room / text_width(name, 13.0)).min(1.0);
-            svg.text((from, at.1 - 8.0), Anchor::Start, size, Style::Plain, name);
+            for (words, up) in name.iter().zip([8.0 + SECOND, 8.0]) {
+                let size = 13.0 * (room / text_width(words, 13.0)).min(1.0);
+                svg.text((from, at.1 - up), Anchor::Start, size, Style::Plain, words);
+            }
             end = (at.0 + width, at.1 + height);
             let words = if k == 0 || !self.beside { "x (m), z (m)" } else { "x (m)" };
             svg.text((end.0, end.1 + 36.0), Anchor::End, 12.0, Style::Muted, words);
@@ -104,6 +115,18 @@ impl MapRow {
     }
 }
 
+/// A name in two lines behind one of its stops, as even as these allow, or in the second alone where all of it fits into so much room.
+fn halves(name: &str, room: f64) -> [&str; 2] {
+    let width = |text: &str| text_width(text, 13.0);
+    if width(name) <= room {
+        return ["", name];
+    }
+    let ends = name.char_indices().filter(|(_, c)| ",:，：".contains(*c)).map(|(at, c)| at + c.len_utf8());
+    let parts = ends.map(|end| name.split_at(end)).map(|(first, second)| [first, second.trim_start()]);
+    let longest = |parts: &[&str; 2]| width(parts[0]).max(width(parts[1]));
+    parts.min_by(|a, b| longest(a).total_cmp(&longest(b))).unwrap_or(["", name])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,6 +141,15 @@ mod tests {
             let figure = row.draw("damage", &[(String::new(), frame)], "");
             assert!(figure.contains(label) && !figure.contains("0.000000000000"), "{value}: {figure}");
         }
+    }
+
+    #[test]
+    fn a_name_longer_than_its_map_takes_two_lines() {
+        let name = "Before the earthquake, t = 0: up to 1.0";
+        assert_eq!(halves(name, 300.0), ["", name]);
+        assert_eq!(halves(name, 150.0), ["Before the earthquake,", "t = 0: up to 1.0"]);
+        assert_eq!(halves("地震前，t = 0：最大 1.0", 100.0), ["地震前，t = 0：", "最大 1.0"]);
+        assert_eq!(halves("oneword", 10.0), ["", "oneword"]);
     }
 
     #[test]

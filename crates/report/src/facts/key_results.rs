@@ -24,7 +24,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         false => {
             say!(
                 language,
-                "{first}; not counted, since loose: {names}",
+                "{first}; not counted, on broken elements: {names}",
                 first = note,
                 names = loose.join(", ")
             )
@@ -92,24 +92,24 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
     cards
 }
 
-/// Monitors on loose pieces, and those that count; where all are loose they are all there is.
+/// Monitors on broken elements, and those that count; where all are on such they are all there is.
 fn counted(facts: &Summary) -> (Vec<&String>, Vec<&String>) {
     let (loose, counted): (Vec<&String>, Vec<&String>) =
         facts.monitors.peaks.keys().partition(|name| facts.monitors.on_broken_elements.contains(name));
     if counted.is_empty() { (counted, loose) } else { (loose, counted) }
 }
 
-/// Monitors that do not count beside others, because they came loose.
+/// Monitors that do not count beside others, because they are on broken elements.
 pub fn loose_monitors(facts: &Summary) -> Vec<&str> {
     counted(facts).0.into_iter().map(String::as_str).collect()
 }
 
-/// Monitor, time (s) and length (m) of the largest displacement, without loose pieces.
+/// Monitor, time (s) and length (m) of the largest displacement, but for those on broken elements.
 pub fn largest_displacement<'a>(source: &Source, facts: &'a Summary) -> Option<(&'a str, f64, f64)> {
     longest(source.monitors.as_ref().ok()?, counted(facts).1.into_iter())
 }
 
-/// Pair of monitors, time (s) and length (m) of the largest displacement of two against each other, without loose pieces.
+/// Pair of monitors, time (s) and length (m) of the largest displacement of two against each other, but for those on broken elements.
 pub fn largest_relative(source: &Source, facts: &Summary) -> Option<(String, f64, f64)> {
     let (pair, _, peaks) = extreme(held(source, facts).0, |name| name == "u", |p| p.max)?;
     Some((pair.to_string(), peaks.t_max, peaks.max))

@@ -9,7 +9,7 @@ use crate::quantities::scale::{figures, quantity};
 use crate::quantities::units::Kind;
 use crate::source::monitor_pairs::{difference, from_mean, held};
 
-/// A loose piece, or a pair with one, that moves by this many times the others' largest would flatten them.
+/// A monitor on a broken element, or a pair with one, that moves by this many times the others' largest would flatten them.
 const BEYOND_OTHERS: f64 = 3.0;
 
 impl Recorded<'_> {
@@ -30,7 +30,7 @@ impl Recorded<'_> {
         for monitor in &hidden {
             caption = say!(
                 language,
-                "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
+                "{first} Not drawn: {monitor}, up to {size}, on a broken element.",
                 first = caption,
                 monitor = *monitor,
                 size = self.source.quantity(Kind::Displacement, size(monitor))
@@ -72,7 +72,7 @@ impl Recorded<'_> {
         if self.monitors.len() < 3 {
             return None;
         }
-        // A loose piece would move the mean of all.
+        // One on a broken element would move the mean of all.
         let loose = self.source.facts().monitors.on_broken_elements;
         let held = |name: &str| !loose.iter().any(|other| other == name);
         let all = !self.monitors.iter().any(|name| held(name));
@@ -83,7 +83,7 @@ impl Recorded<'_> {
         if !all && !loose.is_empty() {
             caption = say!(
                 language,
-                "{first} Not in the mean, since they are on pieces that came loose: {monitors}.",
+                "{first} Not in the mean, since they are on broken elements: {monitors}.",
                 first = caption,
                 monitors = loose.join(", ")
             );
@@ -127,7 +127,7 @@ impl Recorded<'_> {
             let size = size(pair);
             caption = say!(
                 language,
-                "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a piece that came loose.",
+                "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a broken element.",
                 first = caption,
                 pair = *pair,
                 size = self.source.quantity(Kind::Displacement, size)

@@ -10,7 +10,7 @@ use crate::language::say;
 use crate::quantities::units::Kind;
 use crate::source::Source;
 
-/// s1_elastic this many times the largest s1 is that of a piece that came loose, and would flatten all others.
+/// s1_elastic this many times the largest s1 is that of an element that has cracked open, and would flatten all others.
 const BEYOND_STRESS: f64 = 10.0;
 
 impl Recorded<'_> {
@@ -59,7 +59,7 @@ impl Recorded<'_> {
                 self.source.units.suiting("Pa", largest_of(&history.1)).quantity(largest_of(&history.1));
             caption = say!(
                 language,
-                "{first} Not drawn: {monitor}, up to {size}, a piece that came loose.",
+                "{first} Not drawn: {monitor}, up to {size}: its element has cracked open.",
                 first = caption,
                 monitor = history.0,
                 size = most

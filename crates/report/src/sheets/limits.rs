@@ -88,7 +88,7 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
             None if idle => (String::new(), say!(language, "no material of this run can crack")),
             None if name_of == "relative_displacement" && !loose_pairs(source, summary).is_empty() => {
                 let pairs = loose_pairs(source, summary).join(&say!(language, ", "));
-                (String::new(), say!(language, "{names}: on pieces that came loose", names = pairs))
+                (String::new(), say!(language, "{names}: on broken elements", names = pairs))
             }
             None => (String::new(), say!(language, "the results do not hold it")),
         };
@@ -109,7 +109,7 @@ fn unknown_crack(summary: &Summary) -> Option<&String> {
     summary.parts.sections.iter().find(|(_, of)| asked(of) && overloaded(of)).map(|(name, _)| name)
 }
 
-/// Pairs of monitors that do not count, because one of them came loose.
+/// Pairs of monitors that do not count, because one of them is on a broken element.
 fn loose_pairs<'a>(source: &Source, summary: &'a Summary) -> Vec<&'a str> {
     held(source, summary).1
 }
@@ -120,7 +120,7 @@ fn without(source: &Source, note: String, loose: &[&str]) -> String {
         true => note,
         false => say!(
             source.language,
-            "{first}; not counted, since loose: {names}",
+            "{first}; not counted, on broken elements: {names}",
             first = note,
             names = loose.join(&say!(source.language, ", "))
         ),

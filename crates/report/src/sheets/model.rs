@@ -1,6 +1,6 @@
 //! Materials, damping, boundaries and stages in a line each.
 
-use tremolite_results::{SectionStrength, Summary};
+use tremolite_results::{MaterialValue, SectionStrength, Summary};
 
 use crate::facts::materials;
 use crate::facts::{Fact, card};
@@ -13,7 +13,7 @@ const NAMED: usize = 4;
 /// Materials that have a line: more would take the sheet's room.
 const MATERIALS: usize = 5;
 /// Parameters of a material that are told.
-const TOLD: [&str; 12] = [
+const TOLD: [&str; 13] = [
     "grade",
     "young",
     "poisson",
@@ -22,6 +22,7 @@ const TOLD: [&str; 12] = [
     "tensile_strength",
     "compressive_strength",
     "fracture_energy",
+    "rate",
     "ucs",
     "gsi",
     "m_i",
@@ -68,6 +69,15 @@ fn sections(source: &Source, of: &SectionStrength) -> String {
     parts.join(&say!(language, ", "))
 }
 
+/// The rate law of a strength that does not go by the rate.
+const STATIC: &str = "none";
+
+/// Whether some material is stronger the faster it is strained.
+pub fn goes_by_rate(summary: &Summary) -> bool {
+    let grows = |value: &MaterialValue| value.name == "rate" && value.word != STATIC;
+    summary.computed.materials.values().any(|facts| facts.values.iter().any(grows))
+}
+
 /// What the model is, line by line.
 pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     let language = source.language;
@@ -83,7 +93,11 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         let mut parts = vec![material.law.clone()];
         // What is left out and does nothing by itself is not told.
         let told = told.filter(|row| !(row.default && row.name == "disturbance"));
-        parts.extend(told.map(|row| format!("{} {}", symbol(&row.name), row.value).trim().to_owned()));
+        parts.extend(told.map(|row| match (row.name.as_str(), row.value.as_str()) {
+            ("rate", STATIC) => say!(language, "strength the same at any strain rate"),
+            ("rate", law) => say!(language, "strength grows with the strain rate ({law})", law = law),
+            (name, value) => format!("{} {value}", symbol(name)).trim().to_owned(),
+        }));
         parts.push(material.density.clone());
         let label = say!(language, "Material {name}", name = material.name);
         let values = parts.join(&say!(language, ", "));

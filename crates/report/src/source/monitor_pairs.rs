@@ -37,16 +37,15 @@ fn monitors_of(table: Option<&Table>, facts: &Summary, pair: &str) -> Option<[St
     }
 }
 
-/// The pairs of a run of which no monitor came loose, and the names of the others. What a loose piece does is no strain of the
-/// lining.
+/// The pairs of a run of which no monitor is on a broken element, and the names of the others: nothing holds such an element.
 pub fn held<'a>(source: &Source, facts: &'a Summary) -> (Vec<PairPeaks<'a>>, Vec<&'a str>) {
-    let came_loose = |monitor: &String| facts.monitors.on_broken_elements.contains(monitor);
-    let is_loose = |pair: &str| {
-        monitors_of(source.monitors.as_ref().ok(), facts, pair).is_some_and(|of| of.iter().any(came_loose))
+    let is_broken = |monitor: &String| facts.monitors.on_broken_elements.contains(monitor);
+    let one_is_broken = |pair: &str| {
+        monitors_of(source.monitors.as_ref().ok(), facts, pair).is_some_and(|of| of.iter().any(is_broken))
     };
     let pairs = facts.monitors.relative.iter().map(|(pair, peaks)| (pair.as_str(), peaks));
-    let (loose, held): (Vec<_>, Vec<_>) = pairs.partition(|(pair, _)| is_loose(pair));
-    (held, loose.into_iter().map(|(pair, _)| pair).collect())
+    let (broken, held): (Vec<_>, Vec<_>) = pairs.partition(|(pair, _)| one_is_broken(pair));
+    (held, broken.into_iter().map(|(pair, _)| pair).collect())
 }
 
 /// The column of a pair or, in files of older versions that have none, the difference of its monitors'.

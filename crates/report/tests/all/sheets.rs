@@ -244,7 +244,7 @@ fn a_tiny_crack_is_told_by_its_bound() {
     assert!(row(&found, "Crack width").contains("&lt; 0.01 mm"), "{}", row(&found, "Crack width"));
 }
 
-/// Monitors that came loose do not count, and the sheet says which.
+/// Monitors on broken elements do not count, and the sheet says which.
 #[test]
 fn limits_name_the_monitors_that_do_not_count() {
     let temp = tempfile::tempdir().unwrap();
@@ -255,8 +255,11 @@ fn limits_name_the_monitors_that_do_not_count() {
     summary.monitors.relative.insert("A-B".into(), Default::default());
     summary.write(&folder.summary()).unwrap();
     let found = sheets(&folder, Language::English);
-    assert!(row(&found, "Displacement of a monitor").contains("not counted, since loose: B"), "{found}");
-    assert!(row(&found, "Relative displacement").contains("A-B: on pieces that came loose"), "{found}");
+    assert!(
+        row(&found, "Displacement of a monitor").contains("not counted, on broken elements: B"),
+        "{found}"
+    );
+    assert!(row(&found, "Relative displacement").contains("A-B: on broken elements"), "{found}");
 }
 
 /// Section forces of wet ground are of total stress, which changes what a lining with pores uses.

@@ -51,10 +51,10 @@ fn broken_monitors(evidence: &Evidence) -> TrustLine {
         return TrustLine::not_applicable(ID, name, said!("no monitor is in a material that can crack"));
     }
     let note = if broken.is_empty() {
-        said!("an element with all points broken in tension is a loose piece")
+        said!("nothing holds an element with all points broken in tension")
     } else {
         said!(
-            "{monitors}: every point of the element is broken; its displacement is that of a loose piece",
+            "{monitors}: every point of the element is broken in tension; its displacement is not the lining's",
             monitors = broken.join(", "),
         )
     };

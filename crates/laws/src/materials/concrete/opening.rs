@@ -9,6 +9,8 @@
 //! size tensor G: the mean square over the corners of how far e⁺ moves them apart along the worst direction. It does not
 //! depend on how axes are chosen where e_i are equal, is √(p·G·p) e of a single crack with the normal p, and the widest of
 //! several whose normals lie along a brick's edges.
+//!
+//! Nothing but results reads the width, so it is found in steps at which somebody looks ([`Point::looked_at`]).
 
 use super::{CRACK_WIDTH, Concrete, D_TENSION, MEMORY};
 use crate::lane::Lane;

@@ -161,7 +161,9 @@ impl Concrete {
             principal = self.principal_stress(eigen.values, undamaged, tension, shear);
         }
         self.book(&eigen.values, &principal, quiet, &old, &mut new);
-        self.open(point, &eigen, &principal, &mut new);
+        if point.looked_at {
+            self.open(point, &eigen, &principal, &mut new);
+        }
         let damaged = eigen.recompose(principal);
         let mut k = 0;
         while k < 6 {
