@@ -47,8 +47,10 @@ pub enum Kind {
     Number(Dimension, Limit),
     /// A whole number from 1 to this one.
     Count(u32),
-    /// Text that is not empty.
+    /// Text that is not empty, without control characters: a terminal, a log and a page may show it as it is.
     Text,
+    /// The name of a file. It is shown with escapes, and of one that was written with backslashes, `"data\tables"`, whoever opens it tells.
+    File,
     /// Text that can stand in a column name or a group name: no blanks or quotes, and none of `. , [ ] * ?`.
     Name,
     /// true or false.

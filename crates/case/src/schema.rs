@@ -110,7 +110,7 @@ fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
     let schema = match kind {
         Kind::Number(dimension, limit) => return number(key, *dimension, *limit),
         Kind::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
-        Kind::Text => json!({ "type": "string", "minLength": 1 }),
+        Kind::Text | Kind::File => json!({ "type": "string", "minLength": 1 }),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Name => json!({ "type": "string", "pattern": r#"^[^\s.,\[\]*?"'=+@-][^\s.,\[\]*?"']*$"# }),
         Kind::Unit(dimension) => {

@@ -130,6 +130,7 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
         Kind::Number(dimension, _) => units::name_for(key, *dimension),
         Kind::Count(most) => format!("a whole number from 1 to {most}"),
         Kind::Text => "a text".to_owned(),
+        Kind::File => "the name of a file".to_owned(),
         Kind::Name => "a name".to_owned(),
         Kind::Flag => "true or false".to_owned(),
         Kind::Unit(_) => "a unit".to_owned(),
@@ -167,7 +168,7 @@ fn sample_value(name: &str, kind: &Kind) -> String {
             let like = units::example(name, *dimension);
             format!("\"… {}\"", like.split_once(' ').map_or("", |(_, unit)| unit))
         }
-        Kind::Text | Kind::Name => "\"…\"".to_owned(),
+        Kind::Text | Kind::File | Kind::Name => "\"…\"".to_owned(),
         Kind::Flag => "true".to_owned(),
         Kind::Unit(dimension) => {
             let like = units::example(name, *dimension);

@@ -41,6 +41,7 @@ impl Checker<'_> {
                 }
             }
             (Kind::Text, DeValue::String(text)) if !text.trim().is_empty() => self.text(text, &span, path)?,
+            (Kind::File, DeValue::String(text)) if !text.trim().is_empty() => Item::Text(text.to_string()),
             (Kind::Flag, DeValue::Boolean(flag)) => Item::Flag(*flag),
             (Kind::Name, DeValue::String(text)) => self.name(text, &span, path)?,
             (Kind::Unit(dimension), DeValue::String(text)) => match units::parse_unit(text, *dimension) {
@@ -233,11 +234,10 @@ impl Checker<'_> {
         self.refuse(span, path, &message, &remedy)
     }
 
-    /// A text, on one line or several, that a terminal, a log and a page may show as it is. Names of files are shown with their escapes, and one written with
-    /// backslashes is told of as such.
+    /// A text, on one line or several.
     fn text(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
         let commands = |c: char| c.is_control() && c != '\n';
-        if text.contains(commands) && !matches!(last(path), "file" | "path") {
+        if text.contains(commands) {
             let remedy = "leave out tabs and other characters that do not print";
             return self.refuse(span, path, "has a control character in it", remedy);
         }
@@ -334,7 +334,7 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Number(..) => matches!(value, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)),
         Kind::Count(_) => value.is_integer(),
         Kind::Flag => matches!(value, DeValue::Boolean(_)),
-        Kind::Text | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
+        Kind::Text | Kind::File | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
         Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) | Kind::Interfaces(_) => value.is_array(),
         Kind::Table(_) | Kind::Map(..) | Kind::Columns(_) | Kind::Materials(_) => value.is_table(),
         Kind::Brief(table, keys) => value.is_table() || table.brief(keys).is_some_and(|k| fits(k, value)),

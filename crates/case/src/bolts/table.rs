@@ -45,7 +45,7 @@ pub(crate) static BOLTS: Table = Table {
         ),
         Key::optional(
             "file",
-            Kind::Text,
+            Kind::File,
             "",
             "CSV file, a bolt a row: x1,y1,z1,x2,y2,z2 in m, head first, with or without these names in its first line",
         ),

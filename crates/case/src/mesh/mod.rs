@@ -53,7 +53,7 @@ static FILE: Table = Table {
     path: "mesh.file",
     doc: "A mesh made by another program.",
     keys: &[
-        Key::required("path", Kind::Text, "the file, relative to the case"),
+        Key::required("path", Kind::File, "the file, relative to the case"),
         Key::default("unit", LENGTH, r#""1 m""#, "Length of one unit of the file's coordinates"),
         Key::default(
             "rotate",

@@ -16,7 +16,7 @@ pub(crate) static COMPONENT: Table = Table {
     path: "motion.east",
     doc: "One component of the ground motion: a record, or another component times a factor.",
     keys: &[
-        Key::optional("file", Kind::Text, "", "The record, relative to the case"),
+        Key::optional("file", Kind::File, "", "The record, relative to the case"),
         Key::optional("channel", Kind::Text, "", "Which of the file's channels, by its name")
             .when(When::Beside("file")),
         Key::optional(

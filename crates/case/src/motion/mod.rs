@@ -49,7 +49,7 @@ pub(crate) static MOTION: Table = Table {
             "",
             "The ground on or in which it was recorded; without it, the model's own at its corners",
         ),
-        Key::optional("file", Kind::Text, "", "File with all components, taken by their orientation"),
+        Key::optional("file", Kind::File, "", "File with all components, taken by their orientation"),
         Key::optional("sensitivity", Kind::Text, "", SENSITIVITY).when(When::Beside("file")),
         Key::optional("east", Kind::Table(&component::COMPONENT), "", "Component towards east"),
         Key::optional("north", Kind::Table(&component::COMPONENT), "", "Component towards north"),

@@ -15,7 +15,7 @@ pub(crate) static TARGET: Table = Table {
     keys: &[
         Key::optional(
             "file",
-            Kind::Text,
+            Kind::File,
             "",
             "A CSV file with the columns `period [s]` and `sa [m/s2]` or `sa [g]`",
         ),

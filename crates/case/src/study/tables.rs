@@ -17,7 +17,7 @@ pub(super) static STUDY: Table = Table {
     keys: &[
         Key::required("title", Kind::Text, "what the study asks"),
         UNITS,
-        Key::required("case", Kind::Text, "the case file that its runs are made of, from the study's folder"),
+        Key::required("case", Kind::File, "the case file that its runs are made of, from the study's folder"),
         Key::optional(
             "language",
             Kind::Word(Language::WORDS),
@@ -47,7 +47,7 @@ static SAMPLE: Table = Table {
         Key::required("kind", Kind::Word(SampleKind::WORDS), "how samples are chosen"),
         Key::optional("count", COUNT, "", "Number of samples of latin-hypercube and sobol"),
         Key::default("seed", Kind::Count(u32::MAX), "1", "Another number gives another sample"),
-        Key::required("file", Kind::Text, "the table of values").when(When::Is("kind", "table")),
+        Key::required("file", Kind::File, "the table of values").when(When::Is("kind", "table")),
         Key::optional(
             "quantiles",
             Kind::List(&Kind::Number(Dimension::NONE, Limit::Within(1.0)), 1, 100),
@@ -73,7 +73,7 @@ static RECORD: Table = Table {
     doc: "A record in place of the case's own; the case's processing stays unless it is given here.",
     keys: &[
         Key::required("name", Kind::Name, "by which runs are called"),
-        Key::optional("file", Kind::Text, "", "File with all components, taken by their orientation"),
+        Key::optional("file", Kind::File, "", "File with all components, taken by their orientation"),
         Key::optional("sensitivity", Kind::Text, "", "What a count is, where the file holds counts")
             .when(When::Beside("file")),
         Key::optional("east", Kind::Table(&COMPONENT), "", "Component towards east"),
