@@ -213,6 +213,12 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
             "Concrete that is strained fast is stronger: thrust and moment may exceed what its static strength allows."
         ));
     }
+    if summary.parts.sections.values().any(|of| !of.yields) {
+        all.push(say!(
+            language,
+            "An elastic lining does not crack and so sheds no force: what it carries beyond its strength a real one could not."
+        ));
+    }
     if summary.parts.sections.is_empty() {
         all.push(say!(
             language,

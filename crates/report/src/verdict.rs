@@ -254,7 +254,13 @@ fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
         .collect();
     if of_whole.is_some_and(|share| share > 0.0) && (2..=PARTS).contains(&parts.len()) {
         parts.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let told: Vec<String> = parts.into_iter().map(|(name, x)| format!("{name} {}", percent(x))).collect();
+        let called = |name: &str| match name {
+            "crown" => say!(language, "crown"),
+            "walls" => say!(language, "walls"),
+            other => other.to_owned(),
+        };
+        let told: Vec<String> =
+            parts.into_iter().map(|(name, x)| format!("{} {}", called(name), percent(x))).collect();
         line.text = say!(
             language,
             "{first} By parts: {parts}.",
@@ -319,6 +325,15 @@ fn lining(source: &Source, finding: &Finding) -> VerdictLine {
                 ),
             }
         }
+    };
+    let text = match number("share_crushed_or_sheared").filter(|share| *share > 0.0) {
+        Some(crushed) => say!(
+            language,
+            "{first} Crushed or sheared in {share} of its volume.",
+            first = text,
+            share = percent(crushed)
+        ),
+        None => text,
     };
     VerdictLine { class: class(finding.severity), text }
 }

@@ -92,6 +92,9 @@ pub struct Cracks {
     pub opening: f64,
     /// When and where it was; none if nothing cracked.
     pub widest: Option<Onset>,
+    /// Widest opening at the end (m), of whichever crack; no number in files of older versions.
+    #[serde(with = "number", default = "number::absent", skip_serializing_if = "number::is_absent")]
+    pub left: f64,
     /// Stacks of elements through the group's thickness.
     pub stacks: u64,
     /// How many of them are cracked through.

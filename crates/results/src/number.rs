@@ -43,6 +43,11 @@ pub(crate) fn absent() -> f64 {
     f64::NAN
 }
 
+/// Whether it is not a number, by reference as serde asks.
+pub(crate) fn is_absent(x: &f64) -> bool {
+    x.is_nan()
+}
+
 #[cfg(test)]
 mod tests {
     use super::push;

@@ -30,8 +30,10 @@ pub struct SectionStrength {
     /// Whether the lining's own law cracks or yields: the utilisation is then a cross-check, since what has cracked carries no more
     /// than it can.
     pub yields: bool,
-    /// Stations whose utilisation was above 1, at any time.
+    /// Stations whose utilisation was above 1, at any time; those by thrust and moment, and those by shear.
     pub beyond: u64,
+    pub beyond_bending: u64,
+    pub beyond_shear: u64,
     /// Most of thrust and moment, and of shear; none where nothing was judged.
     pub bending: Option<Used>,
     pub shear: Option<Used>,

@@ -96,10 +96,13 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     let through: Vec<&Stack> = stacks.iter().filter(|stack| stack.iter().all(open)).collect();
     let opening = |e: u32| slot(e).map_or(0.0, |slot| widest[slot.element as usize]);
     let wider = |best: u32, e: u32| if opening(e) > opening(best) { e } else { best };
+    let last = memory.get(Watch::LAST);
+    let left = |e: u32| Some(last?[slot(e)?.element as usize]);
     let worst = through.iter().flat_map(|stack| stack.iter().map(|(e, _)| *e)).reduce(wider);
     let Place { element, at: centre } = place(element);
     Some(Cracks {
         opening: widest[at],
+        left: group.elements.iter().filter_map(|&e| left(e)).fold(f64::NAN, f64::max),
         widest: (widest[at] > 0.0).then_some(Onset { time: when[at], element, at: centre }),
         stacks: stacks.len() as u64,
         through: through.len() as u64,

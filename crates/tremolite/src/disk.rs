@@ -69,7 +69,7 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
     let has = |role| laws.iter().any(|history| position(history, role).is_some());
     // Envelopes with their times, onsets and cracks.
     let onsets = MEASURES.iter().filter(|m| has(m.role)).count() as u64;
-    let remembered = 4 + onsets + if has(Role::CrackWidth) { 2 } else { 0 };
+    let remembered = 4 + onsets + if has(Role::CrackWidth) { 3 } else { 0 };
     let state = 8 * (totals.history.end + totals.overstress.end + totals.initial.end)
         + 4 * totals.reference.end
         + totals.numbers.end;

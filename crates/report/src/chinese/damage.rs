@@ -6,7 +6,7 @@ pub const TEXTS: Texts = &[
     ("before the earthquake", "地震前"),
     (" ", ""),
     ("Cracked, D⁺", "开裂，D⁺"),
-    ("Crushed or sheared, D⁻", "压碎或剪坏，D⁻"),
+    ("Crushed or sheared, D⁻", "压碎或剪切破坏，D⁻"),
     ("Mean of the principal directions, D_b", "三个主方向平均，D_b"),
     ("Yielded in shear", "剪切屈服"),
     ("Yielded in tension", "受拉屈服"),

@@ -15,7 +15,7 @@ pub const TEXTS: Texts = &[
     (
         " Beside ground that yields stands its equivalent-linear column: layers with the modulus and damping that the same laws show at 0.65 \
          of their largest strain. It keeps no lasting displacement and may damp what is fast too much, so nothing is judged by it.",
-        "屈服地层旁列出其等效线性柱：各层取相同本构在最大应变的 0.65 倍处的模量与阻尼。它不含残余位移，对快变成分可能阻尼过大，故不作评判依据。",
+        "屈服地层旁列出其一维等效线性土层：各层取相同本构在最大应变的 0.65 倍处的模量与阻尼。它不含残余位移，对快变成分可能阻尼过大，故不作评判依据。",
     ),
     ("{column}, equivalent-linear", "{column}，等效线性"),
     ("Peaks of velocity of the columns", "自由场柱的速度峰值"),

@@ -21,7 +21,7 @@ pub const TEXTS: Texts = &[
          greater x over the crown, pushes towards the intrados. The table has the extremes of all stations of a \
          lining, with time and place (x, y, z in m). Look where the moment is large while the thrust is small or \
          pulls: there the lining cracks first.",
-        "沿厚度积分，按洞室轴向每米计。拉为正；正弯矩使内侧受拉；自 x 较大一侧墙脚起，沿衬砌绕拱顶行进；前方截面受指向洞内的\
+        "沿厚度积分，按洞室轴向每米计。拉为正；正弯矩使内侧受拉；自 x 较大一侧墙脚起，沿衬砌绕顶拱行进；前方截面受指向洞内的\
          剪力时 Q 为正。表中为每个衬砌所有计算截面的极值及其时刻和位置（x、y、z，m）。应注意弯矩大而轴压力小或受拉\
          之处：衬砌首先在此开裂。",
     ),
@@ -44,7 +44,7 @@ pub const TEXTS: Texts = &[
     (
         "Section y = {y}\u{a0}m, {number} stations going round from below by the wall of greater x over the \
          crown. Lines break where stations are missing, as where walls meet.",
-        "断面 y = {y}\u{a0}m，共 {number} 个计算截面，自下方经 x 较大一侧的边墙绕过拱顶。在没有计算截面处（如墙体相交处）\
+        "断面 y = {y}\u{a0}m，共 {number} 个计算截面，自下方经 x 较大一侧的边墙绕过顶拱。在没有计算截面处（如墙体相交处）\
          曲线断开。",
     ),
     (
@@ -52,7 +52,10 @@ pub const TEXTS: Texts = &[
         "施工阶段结束时的曲线与地震过程各曲线之间的差值，即地震所增加的内力。",
     ),
     ("thrust, moment and shear over the length along the lining", "轴力、弯矩和剪力沿衬砌长度的分布"),
-    ("{lining}: forces on the lining's shape", "{lining}：衬砌断面上的内力图"),
+    (
+        "{lining}: forces on the lining's shape at y = {y}\u{a0}m",
+        "{lining}：衬砌断面上的内力图，y = {y}\u{a0}m",
+    ),
     (
         "Section y = {y}\u{a0}m; to the left x is smaller. The thin line is the middle of the lining. N is drawn \
          outwards where it compresses, Q where it is positive, M on the side that it stretches; each of the \

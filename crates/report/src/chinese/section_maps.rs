@@ -13,7 +13,7 @@ pub const TEXTS: Texts = &[
     ("largest principal stress s1, tension positive", "第一主应力 s1，拉为正"),
     (
         "Look for tension in the rock at crowns and walls: there it may loosen, and support has to hold it.",
-        "应注意拱顶和边墙处围岩的拉应力：该处岩体可能松动，须由支护承担。",
+        "应注意顶拱和边墙处围岩的拉应力：该处岩体可能松动，须由支护承担。",
     ),
     ("smallest principal stress s3, tension positive", "第三主应力 s3，拉为正"),
     (
@@ -48,7 +48,7 @@ pub const TEXTS: Texts = &[
     ("Hatched: what is open at the end.", "阴影线：结束时张开处。"),
     (
         "Look for patches that run along the axis or join across crown and wall: there the lining has come off the ground. Where such a patch is open at the end, nothing presses on the lining any more; set it beside the damage of the lining at that place.",
-        "应注意沿洞轴延伸或在拱顶与边墙间连通的区域：该处衬砌已与围岩脱开。若结束时仍张开，围岩不再压紧衬砌，应与该处衬砌的损伤对照。",
+        "应注意沿洞轴延伸或在顶拱与边墙间连通的区域：该处衬砌已与围岩脱开。若结束时仍张开，围岩不再压紧衬砌，应与该处衬砌的损伤对照。",
     ),
     ("up to {most} (median {half})", "最大 {most}（中位数 {half}）"),
     ("end of the lining", "衬砌端部"),
@@ -60,7 +60,7 @@ pub const TEXTS: Texts = &[
     ("up the dip", "沿倾向向上"),
     ("along {axis}", "沿 {axis}"),
     ("along the axis", "沿洞轴"),
-    ("around, from the crown", "沿环向，自拱顶起"),
+    ("around, from the crown", "沿环向，自顶拱起"),
     ("foot", "墙脚"),
     ("left wall", "左边墙"),
     ("right wall", "右边墙"),
@@ -99,8 +99,8 @@ pub const TEXTS: Texts = &[
     ("Damage of the linings, before and after", "地震前后的衬砌损伤"),
     ("Damage in tension and in shear", "受拉损伤与受剪损伤"),
     (
-        "The last field file has no field d_b_max, d_b or d_tension: nothing can be damaged, or the case asks for no fields of damage.",
-        "最后一个场文件没有变量 d_b_max、d_b 或 d_tension：没有可损伤的材料，或算例未要求输出损伤场。",
+        "The last field file has no field d_b_max, d_b or d_tension: where something can be damaged, \"damage\" in the case's output.fields writes them.",
+        "最后一个场文件没有变量 d_b_max、d_b 或 d_tension：有可损伤的材料时，在算例的 output.fields 中加入 \"damage\" 即可输出。",
     ),
     ("Nothing is damaged in the last field file.", "最后一个场文件中没有损伤。"),
     ("The last field file has no field of damage.", "最后一个场文件没有损伤变量。"),
@@ -139,7 +139,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "Tension opens cracks, which may close again and then carry pressure; damage in shear lowers the strength in compression. Look for shear where a lining is thin or bears most, at the crown and the feet: a lining cracked in tension alone can still carry thrust, where it is sheared or crushed through it has its residual strength alone. Largest mean of an element: D⁺ {tension}, D⁻ {shear}.",
-        "受拉产生裂缝，裂缝可重新闭合并传递压力；受剪则削弱承压能力。应注意衬砌较薄或受力最大处（拱顶与墙脚）的受剪损伤：仅受拉开裂的衬砌仍能承受轴力，剪断或压碎处只剩残余强度。单元平均值的最大值：D⁺ {tension}，D⁻ {shear}。",
+        "受拉产生裂缝，裂缝可重新闭合并传递压力；受剪则削弱承压能力。应注意衬砌较薄或受力最大处（顶拱与墙脚）的受剪损伤：仅受拉开裂的衬砌仍能承受轴力，剪断或压碎处只剩残余强度。单元平均值的最大值：D⁺ {tension}，D⁻ {shear}。",
     ),
     ("damage of the linings by kind", "衬砌损伤（按类型）"),
     ("The same numbers over the whole lining.", "同一数值在整个衬砌上的分布。"),
@@ -175,7 +175,7 @@ pub const TEXTS: Texts = &[
     ),
     (
         "Thick lines: linings and openings with that displacement {factor} times enlarged, over their shape at rest in thin lines. Look for walls that come together or bow inwards and for a crown that is pushed to one side: there the lining is bent. Where the outer line of a lining is double, it has come off the rock.",
-        "粗线：上述位移放大 {factor} 倍后的衬砌与洞室轮廓；细线：静止时的轮廓。应注意边墙相互靠拢或向内弯曲、拱顶侧移之处：该处衬砌受弯。衬砌外轮廓线成双之处，衬砌已与围岩脱开。",
+        "粗线：上述位移放大 {factor} 倍后的衬砌与洞室轮廓；细线：静止时的轮廓。应注意边墙相互靠拢或向内弯曲、顶拱侧移之处：该处衬砌受弯。衬砌外轮廓线成双之处，衬砌已与围岩脱开。",
     ),
     (
         "Of the elements one behind the other through the thickness the largest is shown.",

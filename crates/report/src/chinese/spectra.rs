@@ -17,11 +17,11 @@ pub const TEXTS: Texts = &[
         "各周期单自由度振子（阻尼比 5 %）的最大拟加速度（ω² 乘以最大位移）。请将给定地震动与设计要求的反应谱比较。无阻尼、不分层的水平岩体，\
          其地表反应谱为入射波的两倍。数值见 spectra.csv。",
     ),
-    ("equivalent-linear column, surface", "等效线性柱地表"),
+    ("equivalent-linear column, surface", "一维等效线性土层地表"),
     (
         " The ground can yield: the equivalent-linear column of its own laws stands beside its surface. Where shaking is weak the two \
          agree; where it is strong that column is an approximation, which may damp short periods too much.",
-        "地层可能屈服：其地表旁列出由相同本构求得的等效线性柱。震动弱时两者一致；震动强时等效线性柱只是近似，可能对短周期阻尼过大。",
+        "地层可能屈服：其地表旁列出由相同本构求得的一维等效线性土层。震动弱时两者一致；震动强时一维等效线性土层只是近似，可能对短周期阻尼过大。",
     ),
     ("Response spectra at the monitors", "监测点的反应谱"),
     (

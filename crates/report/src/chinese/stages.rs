@@ -84,7 +84,7 @@ pub const TEXTS: Texts = &[
         "各阶段不平衡比随计算步数的变化及容许值",
     ),
     ("Convergence", "洞周收敛"),
-    ("crown", "拱顶"),
+    ("crown", "顶拱"),
     ("floor", "底板"),
     ("wall left", "左边墙"),
     ("wall right", "右边墙"),
@@ -97,7 +97,7 @@ pub const TEXTS: Texts = &[
          the right one to the left. Wall to wall: how much nearer the two walls came. Motion should follow the \
          excavation; where it goes on growing without any, or one wall runs away from the others, take a second \
          look.",
-        "离各命名点最近的围岩自初始平衡以来的位移。图中以向洞内的位移为正：拱顶向下、底板向上、左边墙（x 较小）向\
+        "离各命名点最近的围岩自初始平衡以来的位移。图中以向洞内的位移为正：顶拱向下、底板向上、左边墙（x 较小）向\
          右、右边墙向左。边墙间收敛：两侧边墙相互靠近的量。位移应随开挖而发展；若无开挖而持续增长，或某一边墙明显\
          偏离其他部位，应进一步检查。",
     ),

@@ -137,19 +137,19 @@ pub const TEXTS: Texts = &[
     ),
     (
         "an equivalent-linear column of the same laws has at most {theory} at its surface, column '{column}' {run} in the rows; its layers shear by up to {strain}",
-        "由相同本构求得的等效线性柱地表最大 {theory}，自由场柱“{column}”在各行中最大 {run}；其各层剪应变最大 {strain}",
+        "由相同本构求得的一维等效线性土层地表最大 {theory}，自由场柱“{column}”在各行中最大 {run}；其各层剪应变最大 {strain}",
     ),
     (
         "nor is there an equivalent-linear column, since a layer of it would shear by {strain}, beyond {most}",
-        "也没有等效线性柱：其中一层的剪应变将达 {strain}，超过 {most}",
+        "也没有一维等效线性土层：其中一层的剪应变将达 {strain}，超过 {most}",
     ),
     (
         "nor is there an equivalent-linear column, since no moduli fit the strain that they lead to",
-        "也没有等效线性柱：找不到与其应变相符的模量",
+        "也没有一维等效线性土层：找不到与其应变相符的模量",
     ),
     (
         "nor is there an equivalent-linear column, since a law of this ground has no curves of modulus and damping against strain",
-        "也没有等效线性柱：该地层的某个本构没有模量与阻尼随应变的曲线",
+        "也没有一维等效线性土层：该地层的某个本构没有模量与阻尼随应变的曲线",
     ),
     ("the rows of the histories are too few to show the wave", "时程的数据行太少，不足以反映该波"),
     (

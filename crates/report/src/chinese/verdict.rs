@@ -54,7 +54,7 @@ pub const TEXTS: Texts = &[
     ("{group}: undamaged.", "{group}：未损伤。"),
     (
         "{group}: cracked in {cracked} of its volume, through the thickness at {through} of {places} places; widest crack {opening}.",
-        "{group}：开裂体积占 {cracked}，{places} 处中有 {through} 处贯穿厚度；最大裂缝宽度 {opening}。",
+        "{group}：开裂体积占 {cracked}，贯穿性裂缝 {through}/{places} 处；最大裂缝宽度 {opening}。",
     ),
     (
         "{group}: cracked in {cracked} of its volume, nowhere through the thickness; widest crack {opening}.",
@@ -86,8 +86,14 @@ pub const TEXTS: Texts = &[
         "{name} 的钢筋：弹性模型中均未屈服，但其混凝土受拉而不开裂。",
     ),
     ("Reinforcement {name}: no bar yielded.", "{name} 的钢筋：均未屈服。"),
+    (
+        "Reinforcement {name}: no bar yielded, as a mean over an element; largest force {share} of yield.",
+        "{name} 的钢筋：按单元平均均未屈服；最大受力为屈服力的 {share}。",
+    ),
+    ("{first} Crushed or sheared in {share} of its volume.", "{first}压碎或剪切破坏体积占 {share}。"),
     ("Reinforcement {name}: bars yielded, none broke.", "{name} 的钢筋：有屈服，无拉断。"),
     ("Reinforcement {name}: bars yielded and broke.", "{name} 的钢筋：有屈服并有拉断。"),
+    ("walls", "边墙"),
     ("in thrust and moment", "轴力与弯矩"),
     ("Bolts {name}: none of {all} yielded.", "锚杆 {name}：{all} 根均未屈服。"),
     (

@@ -71,8 +71,8 @@ impl Scene {
         let Some(values) = MEAN.iter().find_map(|name| last.values(name)) else {
             return Err(say!(
                 language,
-                "The last field file has no field d_b_max, d_b or d_tension: nothing can be damaged, or the case asks for no fields \
-                 of damage."
+                "The last field file has no field d_b_max, d_b or d_tension: where something can be damaged, \"damage\" in the case's \
+                 output.fields writes them."
             ));
         };
         if !inside.contains(&true) {

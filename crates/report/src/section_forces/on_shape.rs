@@ -4,7 +4,7 @@ use crate::chapter::figure::Figure;
 use crate::drawing::plot::{self, WIDTH};
 use crate::drawing::svg::{Anchor, Style, Svg, text_width};
 use crate::language::{Language, say};
-use crate::quantities::scale::trimmed;
+use crate::quantities::scale::{figures, trimmed};
 use crate::section_forces::along_lining::COLOURS;
 use crate::section_forces::stations::{Extreme, Lining, Station, forces, joints, kilo};
 
@@ -36,7 +36,12 @@ pub fn figure(
     }
     let (x, z) =
         (plot::range(section.iter().map(|s| s.place[0])), plot::range(section.iter().map(|s| s.place[2])));
-    let title = say!(language, "{lining}: forces on the lining's shape", lining = lining.name);
+    let title = say!(
+        language,
+        "{lining}: forces on the lining's shape at y = {y}\u{a0}m",
+        lining = lining.name,
+        y = trimmed(&figures(y, 3))
+    );
     let description = say!(language, "thrust, moment and shear on the section of the lining");
     let drawn = |larger: f64| {
         let cell = WIDTH / 3.0;

@@ -1,11 +1,11 @@
 //! The earthquake in a few lines: its level, its peak, where it is meant.
 
-use tremolite_results::Summary;
+use tremolite_results::{Summary, TargetSpectrum};
 
 use crate::chapter::results_text::kind_of_motion;
 use crate::facts::{Fact, card};
 use crate::language::say;
-use crate::quantities::scale::figures;
+use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 
@@ -49,10 +49,72 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
             peaks_told.push(text);
         }
     }
+    facts.extend(beside_target(source, summary));
     facts
+}
+
+/// The motion given over the spectrum that the design calls for: the least and the most over its periods, of the larger horizontal
+/// component at each.
+fn beside_target(source: &Source, summary: &Summary) -> Option<Fact> {
+    let language = source.language;
+    let target = summary.computed.motion.target.as_ref()?;
+    let Some(Ok(table)) = &source.spectra else { return None };
+    let periods = table.column("period")?;
+    let along: Vec<&[f64]> =
+        ["given.ax", "given.ay"].into_iter().filter_map(|name| table.column(name)).collect();
+    let ratio = |k: usize| {
+        let called = at(target, periods[k])?;
+        let most = along.iter().filter_map(|sa| sa.get(k)).fold(0.0_f64, |most, sa| most.max(*sa));
+        (most > 0.0 && called > 0.0).then(|| (periods[k], most / called))
+    };
+    let ratios: Vec<(f64, f64)> = (0..periods.len()).filter_map(ratio).collect();
+    let least = ratios.iter().min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let most = ratios.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let text = say!(
+        language,
+        "{least} at {short}\u{a0}s to {most} at {long}\u{a0}s",
+        least = figures(least.1, 2),
+        short = trimmed(&figures(least.0, 2)),
+        most = figures(most.1, 2),
+        long = trimmed(&figures(most.0, 2))
+    );
+    Some(card(
+        say!(language, "Motion given over design spectrum"),
+        text,
+        say!(language, "the larger horizontal component, 5 % damping"),
+    ))
+}
+
+/// A spectrum at a period \[s\], straight between its points in logarithms; none beyond them, or beside one that is 0.
+fn at(spectrum: &TargetSpectrum, period: f64) -> Option<f64> {
+    let behind = spectrum.period.iter().position(|t| *t >= period)?;
+    let points = behind.checked_sub(1).map_or([behind, behind], |before| [before, behind]);
+    let [(t0, a0), (t1, a1)] = points.map(|k| (spectrum.period[k], *spectrum.sa.get(k).unwrap_or(&0.0)));
+    if t1 == period {
+        return Some(a1);
+    }
+    (t0 < period && t0.min(a0).min(a1) > 0.0)
+        .then(|| a0 * (a1 / a0).powf((period / t0).ln() / (t1 / t0).ln()))
 }
 
 /// An acceleration along an axis, in m/s² and g.
 fn told(source: &Source, axis: &str, peak: f64) -> String {
     format!("{axis} {} ({}\u{a0}g)", source.quantity(Kind::Acceleration, peak), figures(peak / 9.806_65, 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spectrum_is_straight_in_logarithms_and_none_beyond_its_ends() {
+        let spectrum = TargetSpectrum { period: vec![0.1, 1.0, 2.0], sa: vec![4.0, 1.0, 0.0] };
+        for (period, expected) in [(0.1, 4.0), (10f64.powf(-0.5), 2.0), (1.0, 1.0), (2.0, 0.0)] {
+            let found = at(&spectrum, period).unwrap();
+            assert!((found - expected).abs() < 1e-12, "{period}: {found}");
+        }
+        for period in [0.05, 1.5, 3.0] {
+            assert_eq!(at(&spectrum, period), None, "{period}");
+        }
+    }
 }

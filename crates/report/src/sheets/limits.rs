@@ -163,7 +163,10 @@ fn modelled(source: &Source, summary: &Summary) -> Found {
     let all = summary.parts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
     let (name, cracks) = all.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a })?;
     match cracks.widest {
-        Some(_) => Some((cracks.opening, opening(source, cracks), name.clone())),
+        Some(_) => {
+            let note = say!(source.language, "{lining}, widest in the run", lining = name);
+            Some((cracks.opening, opening(source, cracks), note))
+        }
         None => Some((0.0, say!(source.language, "none"), String::new())),
     }
 }

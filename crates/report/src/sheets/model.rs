@@ -30,7 +30,7 @@ const TOLD: [&str; 13] = [
 ];
 
 /// By which code sections are judged, with its factors and the bars.
-fn sections(source: &Source, of: &SectionStrength) -> String {
+fn sections(source: &Source, summary: &Summary, of: &SectionStrength) -> String {
     let language = source.language;
     let factor = |x: f64| trimmed(&figures(x, 3));
     let mut parts = vec![of.code.clone()];
@@ -63,10 +63,34 @@ fn sections(source: &Source, of: &SectionStrength) -> String {
         None if of.reinforced == 0 => say!(language, "no bars"),
         None => say!(language, "with bars"),
     });
+    if let Some(strength) = of_another_concrete(summary, of) {
+        parts.push(say!(
+            language,
+            "not the concrete of the model, whose f_c is {strength}",
+            strength = trimmed(&quantity("Pa", strength))
+        ));
+    }
     if of.steel > 0.0 && of.reinforced > 0 {
         parts.push(format!("f_yk {}", trimmed(&quantity("Pa", of.steel))));
     }
     parts.join(&say!(language, ", "))
+}
+
+/// The strength that a law of concrete is given or works out.
+const STRENGTH: &str = "compressive_strength";
+/// By this share the strength of a section and that of the model's concrete may differ and still be those of one concrete.
+const ALIKE: f64 = 0.25;
+
+/// The compressive strength of the concrete of the model where it is not that of the section.
+fn of_another_concrete(summary: &Summary, of: &SectionStrength) -> Option<f64> {
+    let strengths = summary.computed.materials.values().filter(|facts| facts.law.starts_with("concrete"));
+    let strengths = strengths.flat_map(|facts| &facts.values).filter(|value| value.name == STRENGTH);
+    let characteristic = of.compression * of.factors.gamma_c / of.factors.alpha_cc;
+    let unlike = |value: f64| (value / characteristic - 1.0).abs() > ALIKE;
+    let all: Vec<f64> = strengths.map(|value| value.value).collect();
+    // Of several concretes it is not known which is the lining's.
+    let [only] = all[..] else { return None };
+    (of.yields && unlike(only)).then_some(only)
 }
 
 /// The rate law of a strength that does not go by the rate.
@@ -98,6 +122,8 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
             ("rate", law) => say!(language, "strength grows with the strain rate ({law})", law = law),
             (name, value) => format!("{} {value}", symbol(name)).trim().to_owned(),
         }));
+        let works_out = material.derived.iter().filter(|row| row.name == STRENGTH);
+        parts.extend(works_out.map(|row| format!("{} {}", symbol(&row.name), row.value)));
         parts.push(material.density.clone());
         let label = say!(language, "Material {name}", name = material.name);
         let values = parts.join(&say!(language, ", "));
@@ -118,7 +144,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     // A line for each way in which linings are judged.
     let mut judged: Vec<(String, Vec<&str>)> = Vec::new();
     for (lining, of) in &summary.parts.sections {
-        let text = sections(source, of);
+        let text = sections(source, summary, of);
         match judged.iter_mut().find(|(known, _)| *known == text) {
             Some((_, linings)) => linings.push(lining),
             None => judged.push((text, vec![lining])),
@@ -135,7 +161,10 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
             "y" => say!(language, "sides across y"),
             _ => say!(language, "top"),
         };
-        let all = boundaries.iter().map(|(at, word)| format!("{} {}", place(at), boundary(language, word)));
+        let told = |at: &str, word: &str| {
+            say!(language, "{place} {boundary}", place = place(at), boundary = boundary(language, word))
+        };
+        let all = boundaries.iter().map(|(at, word)| told(at, word));
         let all: Vec<String> = all.collect();
         facts.push(card(say!(language, "Boundaries"), all.join(&say!(language, "; ")), ""));
     }

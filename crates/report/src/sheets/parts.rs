@@ -5,6 +5,7 @@ use tremolite_results::{GroupDamage, Summary};
 use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::damage::opening;
 use crate::language::say;
+use crate::quantities::units::Kind;
 use crate::section_forces::used::{left, shown};
 use crate::source::Source;
 use crate::verdict::short_names::percent;
@@ -52,7 +53,17 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
                     used.as_ref().map_or_else(none, |used| shown(used.value))
                 };
                 row.extend([used(&of.bending), used(&of.shear)].map(Cell::number));
-                let stations = say!(language, "of {stations}", stations = of.stations);
+                // Files of older versions do not say by what.
+                let stations = match of.beyond > 0 && of.beyond_bending + of.beyond_shear > 0 {
+                    true => say!(
+                        language,
+                        "of {stations}: {bending} by N and M, {shear} by shear",
+                        stations = of.stations,
+                        bending = of.beyond_bending,
+                        shear = of.beyond_shear
+                    ),
+                    false => say!(language, "of {stations}", stations = of.stations),
+                };
                 row.push(Cell::number(of.beyond.to_string()).with(stations));
             }
             None if judged => row.extend([none(), none(), none()].map(Cell::number)),
@@ -76,15 +87,31 @@ fn cracked(source: &Source, summary: &Summary, name: &str) -> [Cell; 3] {
     let language = source.language;
     let none = || "–".to_owned();
     let group = summary.parts.damage.get(name);
-    let share = group.and_then(|group| {
-        let measure = group.measures.get("d_tension")?;
-        Some(measure.beyond.get("0.5").copied().unwrap_or(0.0) / group.volume)
-    });
+    let share = |of: &str| {
+        let measure = group?.measures.get(of)?;
+        Some(measure.beyond.get("0.5").copied().unwrap_or(0.0) / group?.volume)
+    };
+    let cracked = Cell::number(share("d_tension").map_or_else(none, percent));
+    let cracked = match share("d_shear").filter(|crushed| *crushed > 0.0) {
+        Some(crushed) => cracked.with(say!(language, "{crushed} crushed", crushed = percent(crushed))),
+        None => cracked,
+    };
     let cracks = group.and_then(|group| group.cracks.as_ref());
     let widest = match cracks {
         Some(cracks) if cracks.widest.is_some() => opening(source, cracks),
         Some(_) => say!(language, "none"),
         None => none(),
+    };
+    let widest = Cell::number(widest);
+    // Of loose pieces it means little.
+    let widest = match cracks
+        .filter(|cracks| cracks.widest.is_some() && !cracks.is_loose() && cracks.left.is_finite())
+    {
+        Some(cracks) => {
+            let left = source.quantity(Kind::Opening, cracks.left);
+            widest.with(say!(language, "{left} at the end", left = left))
+        }
+        None => widest,
     };
     let through = match cracks {
         Some(cracks) => {
@@ -93,7 +120,7 @@ fn cracked(source: &Source, summary: &Summary, name: &str) -> [Cell; 3] {
         }
         None => Cell::number(none()),
     };
-    [Cell::number(share.map_or_else(none, percent)), Cell::number(widest), through]
+    [cracked, widest, through]
 }
 
 /// Interfaces, bolts and rock, a sentence each.

@@ -29,7 +29,15 @@ pub fn answer(source: &Source, facts: &Summary) -> Option<(&'static str, String)
     let worst = judged(facts).filter_map(|(_, of)| Some((most(of)?, of)));
     let (most, of) = worst.max_by(|a, b| a.0.total_cmp(&b.0))?;
     let bending = of.bending.as_ref().is_some_and(|used| used.value.is_nan() || used.value >= most);
-    let way = if bending { say!(language, "in thrust and moment") } else { say!(language, "in shear") };
+    let way = match (bending, most.is_infinite()) {
+        (true, false) => say!(language, "in thrust and moment"),
+        (false, false) => say!(language, "in shear"),
+        (true, true) => say!(language, "thrust and moment"),
+        (false, true) => match without_shear(language, of) {
+            why if why.is_empty() => say!(language, "shear force"),
+            why => say!(language, "shear force ({why})", why = why),
+        },
+    };
     Some(match most <= 1.0 {
         true if facts.judged() == 0 => (
             "warn",
@@ -64,7 +72,10 @@ pub fn answer(source: &Source, facts: &Summary) -> Option<(&'static str, String)
             "bad",
             say!(
                 language,
-                "Its sections do not resist the computed forces: they have no resistance {way}.",
+                "Its sections do not resist the computed forces: {beyond} of {stations} stations are loaded beyond their strength, \
+                 at the worst nothing resists {way}.",
+                beyond = of.beyond,
+                stations = of.stations,
                 way = way
             ),
         ),

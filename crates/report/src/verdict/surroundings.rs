@@ -117,13 +117,23 @@ fn of_bolts(language: Language, facts: &Summary, bolts: &Finding) -> Option<(Sev
     let bars = facts.parts.bolts.get(&bolts.group).is_some_and(|group| group.bars);
     // Beside concrete that cannot crack they carry little: where its sections are beyond their strength that is no good news.
     let beyond = facts.parts.sections.values().any(|of| of.reinforced > 0 && overloaded(of));
+    let used = facts.parts.bolts.get(&bolts.group).map(|group| group.force_over_yield);
+    let used = used.filter(|share| share.is_finite() && *share > 0.0).map(|share| format!("{share:.2}"));
     let text = match (yielded > 0.0, broken > 0.0) {
         (false, false) if bars && beyond => say!(
             language,
             "Reinforcement {name}: no bar yielded in the elastic model, whose concrete takes tension without cracking.",
             name = name
         ),
-        (false, false) if bars => say!(language, "Reinforcement {name}: no bar yielded.", name = name),
+        (false, false) if bars => match used {
+            Some(share) => say!(
+                language,
+                "Reinforcement {name}: no bar yielded, as a mean over an element; largest force {share} of yield.",
+                name = name,
+                share = share
+            ),
+            None => say!(language, "Reinforcement {name}: no bar yielded.", name = name),
+        },
         (_, false) if bars => {
             say!(language, "Reinforcement {name}: bars yielded, none broke.", name = name)
         }

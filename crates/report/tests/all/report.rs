@@ -305,6 +305,7 @@ pub fn cracked() -> GroupDamage {
         cracks: Some(Cracks {
             opening: 2.4e-4,
             widest,
+            left: 1.1e-4,
             stacks: 96,
             through: 7,
             through_at: Some(Place { element: 4713, at: [0.0; 3] }),

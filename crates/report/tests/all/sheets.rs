@@ -5,7 +5,8 @@ use std::path::Path;
 
 use tremolite_report::{Language, write_held, write_in};
 use tremolite_results::{
-    Factors, LastingCrack, ResultFolder, SectionStrength, Summary, TargetSpectrum, Used,
+    Factors, LastingCrack, MaterialFacts, MaterialValue, Origin, ResultFolder, SectionStrength, Summary,
+    TargetSpectrum, Used,
 };
 
 use super::report;
@@ -96,7 +97,7 @@ fn limits_are_met_or_not_and_what_the_results_lack_is_neither() {
     // Chinese has its own words, and the same numbers.
     let chinese = sheets(&folder, Language::Chinese);
     assert!(
-        chinese.contains("验收限值")
+        chinese.contains("控制标准")
             && row(&chinese, "利用率").contains(">满足<")
             && chinese.contains("0.876")
     );
@@ -163,7 +164,7 @@ fn shear_names_its_clause_and_why_nothing_is_borne() {
         found.contains("∞ in shear (6.2.2: tension of 2500 kN&#x2f;m leaves no resistance to shear)"),
         "{found}"
     );
-    assert!(found.contains("they have no resistance in shear"), "{found}");
+    assert!(found.contains("at the worst nothing resists shear force (tension of 2500 kN&#x2f;m leaves no resistance to shear)"), "{found}");
 }
 
 /// What cannot crack has no cracked share; the sheet says so instead of asking for more results.
@@ -273,4 +274,32 @@ fn wet_section_forces_are_said_to_be_of_total_stress() {
     summary.computed.water.insert("pressure".into(), "seepage".into());
     summary.write(&folder.summary()).unwrap();
     assert!(told());
+}
+
+/// The section's C30/37 beside a lining whose law has another strength, and beside one that has that strength.
+#[test]
+fn a_section_of_another_concrete_than_the_models_is_told() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path());
+    for (strength, told) in [(9.9e6, true), (30e6, false)] {
+        let mut summary = Summary::read(&folder.summary()).unwrap();
+        let of = summary.parts.sections.get_mut("hall.lining").unwrap();
+        (of.yields, of.beyond_bending, of.beyond_shear) = (true, 1, 2);
+        let value = MaterialValue {
+            name: "compressive_strength".into(),
+            value: strength,
+            most: strength,
+            unit: "Pa".into(),
+            origin: Origin::Derived,
+            ..MaterialValue::default()
+        };
+        let concrete =
+            MaterialFacts { law: "concrete-damage".into(), values: vec![value], ..MaterialFacts::default() };
+        summary.computed.materials = [("concrete".to_owned(), concrete)].into();
+        summary.write(&folder.summary()).unwrap();
+        let found = sheets(&folder, Language::English);
+        let words = "not the concrete of the model, whose f_c is 9.9";
+        assert_eq!(found.contains(words), told, "{strength}: {found}");
+        assert!(found.contains("of 64: 1 by N and M, 2 by shear"), "{found}");
+    }
 }

@@ -52,7 +52,7 @@ fn summary() -> Summary {
         first: Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.0, -3.0] }),
     };
     let widest = Some(Onset { time: 5.0, element: 7, at: [0.0; 3] });
-    let cracks = Some(Cracks { opening: 1e-4, widest, stacks: 8, through: 0, through_at: None });
+    let cracks = Some(Cracks { opening: 1e-4, widest, left: 4e-5, stacks: 8, through: 0, through_at: None });
     let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into(), cracks };
     let id = "damage_hall_lining".to_owned();
     let finding = Finding::new(id, "hall.lining", Severity::Damaged, said!("cracked"), Said::default());
@@ -95,7 +95,7 @@ fn the_json_is_what_the_contract_says() {
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
     assert_eq!(
         serde_json::to_string(&summary().parts.damage).unwrap(),
-        r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]}}},"cracks":{"opening":0.0001,"widest":{"time":5.0,"element":7,"at":[0.0,0.0,0.0]},"stacks":8,"through":0,"through_at":null}}}"#
+        r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]}}},"cracks":{"opening":0.0001,"widest":{"time":5.0,"element":7,"at":[0.0,0.0,0.0]},"left":0.00004,"stacks":8,"through":0,"through_at":null}}}"#
     );
     let monitors = serde_json::to_string(&summary().monitors.peaks).unwrap();
     assert!(monitors.starts_with(r#"{"B":"#), "the order of the case is kept: {monitors}");

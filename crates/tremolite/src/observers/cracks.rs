@@ -7,8 +7,8 @@ use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
 
-/// Keeps by element (in the order of members) the widest crack seen at one of its points \[m\], and when \[s\], under
-/// [`Cracks::OPENING`] and [`Cracks::TIME`] in the state.
+/// Keeps by element (in the order of members) the widest crack seen at one of its points \[m\], and when \[s\], and the widest when
+/// somebody looked last, under [`Cracks::OPENING`], [`Cracks::TIME`] and [`Cracks::LAST`] in the state.
 ///
 /// How wide a crack is the law says ([`Role::CrackWidth`]). Where several parallel cracks cross an element it is their sum, and of
 /// an element that has come loose it means nothing.
@@ -21,6 +21,7 @@ pub struct Cracks {
 impl Cracks {
     pub const OPENING: &'static str = "crack_opening";
     pub const TIME: &'static str = "crack_opening time";
+    pub const LAST: &'static str = "crack_opening last";
 
     /// The observer, if a law of the model can crack.
     pub fn new(setting: &Setting) -> Option<Self> {
@@ -56,16 +57,18 @@ impl Cracks {
         let View { history, snapshot, .. } = *view;
         let elements = snapshot.energy.len();
         let mut take = |name: &str| memory.remove(name).unwrap_or_else(|| vec![0.0; elements]);
-        let (mut widest, mut when) = (take(Self::OPENING), take(Self::TIME));
+        let (mut widest, mut when, mut last) = (take(Self::OPENING), take(Self::TIME), take(Self::LAST));
         for (slot, column) in &self.cells {
             let opening = history.values(slot, *column).fold(0.0, f64::max);
             let at = slot.element as usize;
+            last[at] = opening;
             if opening > widest[at] {
                 (widest[at], when[at]) = (opening, snapshot.time);
             }
         }
         memory.insert(Self::OPENING.into(), widest);
         memory.insert(Self::TIME.into(), when);
+        memory.insert(Self::LAST.into(), last);
         Ok(())
     }
 }

@@ -286,7 +286,10 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
         // Of no number and a number the number.
         of.steel = station.layers.iter().fold(of.steel, |most, layer| most.max(layer.yields));
         let states = states(plan, judged.len(), memory, k);
-        of.beyond += u64::from(states.iter().any(|s| s.bending > 1.0 || s.shear > 1.0));
+        let [bending, shear] = [states.iter().any(|s| s.bending > 1.0), states.iter().any(|s| s.shear > 1.0)];
+        of.beyond += u64::from(bending || shear);
+        of.beyond_bending += u64::from(bending);
+        of.beyond_shear += u64::from(shear);
         for state in &states {
             let used = |value: f64| Used {
                 value,

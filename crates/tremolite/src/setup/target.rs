@@ -40,15 +40,23 @@ fn place(target: &Target) -> std::ops::Range<usize> {
 
 /// As the page draws it; nothing where there is none or it cannot be read, which is refused where the motion is made.
 pub fn drawn(case: &Case) -> Option<tremolite_results::TargetSpectrum> {
-    // Points as they are given: one of them may be 0.
+    let mut own = Vec::new();
     if let Some(Target::Table(table)) = case.motion.as_ref()?.target.as_ref() {
         let case::TargetSpectrum { period, sa } = table.value.clone();
-        return Some(tremolite_results::TargetSpectrum { period, sa });
+        // Points as they are given where one of them is 0, which has no logarithm.
+        if period.iter().chain(&sa).any(|x| *x <= 0.0) {
+            return Some(tremolite_results::TargetSpectrum { period, sa });
+        }
+        own = period;
     }
     let target = of_case(case).ok()??;
     let [from, to] = target.range();
     let part = (to / from).ln() / (DRAWN - 1) as f64;
-    let period: Vec<f64> = (0..DRAWN).map(|k| from * (k as f64 * part).exp()).collect();
+    // Corners where they are, and between them what the spectrum is there.
+    let mut period: Vec<f64> = (1..DRAWN - 1).map(|k| from * (k as f64 * part).exp()).chain(own).collect();
+    period.extend([from, to]);
+    period.sort_by(f64::total_cmp);
+    period.dedup_by(|a, b| (*a / *b - 1.0).abs() < 1e-9);
     Some(tremolite_results::TargetSpectrum { sa: period.iter().map(|&t| target.at(t)).collect(), period })
 }
 

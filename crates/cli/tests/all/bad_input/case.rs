@@ -8,7 +8,7 @@ const ROWS: &[Row] = &[
     row("[dynamic]", "[dynamics]", 1, "`dynamic` is missing in the case", "add [dynamic] (the dynamic run)"),
     row("title = \"a small hall\"", "title = \"a small hall\"\ntitle = \"x\"", 2, "`title` is given twice", "keep one of the two; `[[…]]` starts another entry of a list"),
     row("path = \"hall.msh\"", "path = \"hal.msh\"", 3, "there is no file hal.msh", "paths start from the folder of the case; looked for hal.msh"),
-    row("path = \"hall.msh\"", "path = \"\"", 3, "`path` should be a text, not an empty text", "write path = \"…\""),
+    row("path = \"hall.msh\"", "path = \"\"", 3, "`path` should be the name of a file, not an empty text", "write path = \"…\""),
     row("path = \"hall.msh\"", "path = \".\"", 3, "there is no file .", "paths start from the folder of the case; looked for ."),
     row("path = \"hall.msh\"", "path = \"pulse.txt\"", 3, "pulse.txt: this is no mesh file of a known kind", "known are: Gmsh MSH 4.1 or 2 (ASCII or binary), VTU (VTK's XML), VTK legacy, FLAC3D grid, ANSYS"),
     row("path = \"hall.msh\"", "path = \"case.toml\"", 3, "case.toml: this is no mesh file of a known kind", "known are: Gmsh MSH 4.1 or 2 (ASCII or binary), VTU (VTK's XML), VTK legacy, FLAC3D grid, ANSYS"),
