@@ -263,7 +263,10 @@ fn linear_tetrahedra_are_told_where_rock_may_yield_or_keeps_its_water_and_nowher
         assert!(!check(false, earthquake).contains("tetrahedra"), "{earthquake}");
     }
     let words = check(false, "undrained");
-    assert!(words.contains("100 % of 'rock' is linear tetrahedra, which are too stiff where water"), "{words}");
+    assert!(
+        words.contains("100 % of 'rock' is linear tetrahedra, which are too stiff where water"),
+        "{words}"
+    );
     let words = check(true, "");
     assert!(
         words.contains("100 % of 'rock' is linear tetrahedra") && words.contains("hexahedra or wedges"),
