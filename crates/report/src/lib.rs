@@ -18,6 +18,7 @@ mod developed;
 mod drawing;
 mod energy;
 mod facts;
+mod flow;
 mod free_field;
 mod histories;
 mod input;

@@ -39,13 +39,6 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
          going round by the wall of greater x over the crown, pushes towards the intrados. The table has the extremes of all stations of a lining, with time and place (x, y, z in m). \
          Look where the moment is large while the thrust is small or pulls: there the lining cracks first."
     );
-    if !facts.computed.water.is_empty() {
-        text.push_str(&say!(
-            language,
-            " They are of total stress. In a lining with pores the effective thrust is more tensile, by the pore pressure \
-             times the thickness."
-        ));
-    }
     text.push_str(&if shaken {
         say!(
             language,
@@ -60,7 +53,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     if !facts.computed.water.is_empty() {
         text.push_str(&say!(
             language,
-            " They are of total stress: concrete without pores bears all of it, and a lining with pores has N + p t of effective stress, p in its pores and t thick."
+            " They are of total stress. A lining with pores stands a second time, as 'effective', with forces of the stress that its material feels, total and the pressure in its pores; in concrete without pores the two are the same."
         ));
     }
     let mut blocks = vec![Block {

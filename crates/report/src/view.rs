@@ -2,7 +2,7 @@
 //!
 //! A part is a body or an interface; its name and kind come from the result files ([`names`]). What the field files hold
 //! goes in as it is: places in u16 steps, scalars in 255 levels between their extremes over all times, displacement in i16
-//! steps about the mean of the model at that time. Vectors and tensors stay in the files.
+//! steps about the mean of the model at that time. The flow of water goes in as arrows; other vectors and tensors stay in the files.
 
 mod code;
 mod columns;
@@ -24,8 +24,9 @@ use tremolite_results::{FieldFile, Pvd, SectionRow};
 use self::code::Grid16;
 use self::encode::Common;
 use self::fit::{fit, size};
-use self::manifest::{Arrow, Manifest, Moment, PartData, PartKind};
+use self::manifest::{Arrow, FlowHeld, Manifest, Moment, PartData, PartKind};
 use self::part::Part;
+use crate::flow;
 use crate::language::say;
 use crate::page::size::{VIEW, limit};
 use crate::script::blocks::{Blocks, json_element};
@@ -33,6 +34,9 @@ use crate::source::Source;
 
 /// Steps of displacement to each side of the mean where all that i16 holds would take too much.
 const COARSE: f64 = 2047.0;
+
+/// Of the flow of water, in the whole model.
+const ARROWS: usize = 800;
 
 /// The page's manifest of the view, its numbers in `blocks`; empty where there is nothing to draw or the case wants none.
 /// Where a file cannot be read the manifest has no parts, and a note that says why. `rest` is how many bytes all else of the
@@ -79,6 +83,8 @@ fn within(source: &Source, blocks: &mut Blocks, budget: &dyn Fn(usize) -> usize)
         displacement_largest: 0.0,
         parts: Vec::new(),
         waves: Vec::new(),
+        flows: Vec::new(),
+        flow_at: Vec::new(),
         notes: vec![say!(source.language, "The view is left out. {why}.", why = why)],
     });
     // Only keys that are no texts could fail, and there are none.
@@ -98,10 +104,18 @@ fn drawn(
     let moments = moments(source, clock, pvd);
     let mut solids: Vec<Part> = Vec::new();
     let mut mean = Vec::new();
+    let (mut flows, mut flow_at) = (Vec::new(), Vec::new());
     for (time, snapshot) in pvd.snapshots().iter().enumerate() {
         let file = FieldFile::solids(&pvd.locate(snapshot)).map_err(|e| e.to_string())?;
         mean.push(file.displacement.as_deref().map_or([0.0; 3], mean_of));
         part::take(&mut solids, time, &file, 8, mean[time]);
+        flow_at.push(flow_of(&file).map(|flow| {
+            // In the earthquake it is the same at all times.
+            flows.iter().position(|known| *known == flow).unwrap_or_else(|| {
+                flows.push(flow);
+                flows.len() - 1
+            })
+        }));
     }
     let (interfaces, broken) = match interface::read(&source.folder.interfaces_pvd(), &moments, &solids) {
         Ok(interfaces) => (interfaces, None),
@@ -150,6 +164,7 @@ fn drawn(
     let coming = if clock == "earthquake" { &summary.computed.motion.waves[..] } else { &[] };
     let waves: Vec<Arrow> = coming.iter().map(Arrow::of).collect();
     notes.extend((!waves.is_empty()).then(|| notes::waves(language)));
+    notes.extend((!flows.is_empty()).then(|| notes::flow(language)));
     Ok(Manifest {
         version: 1,
         clock,
@@ -161,8 +176,22 @@ fn drawn(
         displacement_largest: largest_displacement(&parts),
         parts: data,
         waves,
+        flows,
+        flow_at,
         notes,
     })
+}
+
+/// The flow of water in a file; nothing where it holds none or the water is still.
+fn flow_of(file: &FieldFile) -> Option<FlowHeld> {
+    let middle = |corners: &[u32; 8]| {
+        let at = |k: usize| corners.iter().map(|&corner| file.points[corner as usize][k]).sum::<f64>() / 8.0;
+        [0, 1, 2].map(at)
+    };
+    let elements = file.cells.iter().zip(file.discharge.as_ref()?);
+    let elements: Vec<_> = elements.map(|(cell, q)| (middle(&cell.corners), q.map(f64::from))).collect();
+    let flow = flow::arrows(&elements, ARROWS);
+    (!flow.arrows.is_empty()).then(|| FlowHeld::of(&flow))
 }
 
 /// The times of the files, or the stages.

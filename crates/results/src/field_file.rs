@@ -40,7 +40,9 @@ pub struct FieldFile {
     pub scalars: Vec<Scalar>,
     /// By point (m).
     pub displacement: Option<Vec<[f32; 3]>>,
-    /// Names of all arrays that are no scalars and not the displacement.
+    /// By cell, specific discharge of seepage (m/s).
+    pub discharge: Option<Vec<[f32; 3]>>,
+    /// Names of all arrays that are no scalars and not those above.
     pub vectors: Vec<String>,
 }
 
@@ -97,6 +99,9 @@ impl FieldFile {
             if let Some(name) = array.name.strip_prefix(group) {
                 let inside = taken.iter().map(|&cell| array.values.get(cell * array.components) != 0.0);
                 file.groups.push((name.to_owned(), inside.collect()));
+            } else if array.name == "seepage" && array.components == 3 {
+                let at = |&cell: &usize| [0, 1, 2].map(|i| array.values.get(3 * cell + i) as f32);
+                file.discharge = Some(taken.iter().map(at).collect());
             } else if !["element", "other_element", owner].contains(&array.name.as_str()) {
                 file.add(array, true, taken.iter().copied());
             }

@@ -56,6 +56,16 @@ impl Fields {
         Some((0..self.grid.types.len()).map(|cell| scalar(array, cell)).collect())
     }
 
+    /// A vector of the elements, by index of their cells. Nothing where the file has no such field of three components.
+    pub fn of_elements(&self, name: &str) -> Option<Vec<[f64; 3]>> {
+        let array = self.grid.cell_array(name).filter(|array| array.components == 3)?;
+        Some(
+            (0..self.grid.types.len())
+                .map(|cell| [0, 1, 2].map(|i| array.values.get(3 * cell + i)))
+                .collect(),
+        )
+    }
+
     /// Number of each element as the run knows it, by index of its cell.
     pub fn numbers(&self) -> Option<Vec<i64>> {
         let array = self.grid.cell_array("element").filter(|array| array.components == 1)?;

@@ -89,7 +89,7 @@ pub use replace::replace_file;
 pub use said::{Said, Slot};
 pub use same::{OTHER_FACTS, OTHER_FILES, differences};
 pub use section_strength::{Border, Factors, LastingCrack, SectionStrength, Used};
-pub use sections::{SectionRow, read_sections, write_sections};
+pub use sections::{EFFECTIVE, SectionRow, read_sections, write_sections};
 pub use skin::Skin;
 pub use slice::{Corner, Piece, Slice};
 pub use stages::{StageSeepage, StageSummary, write_stages};

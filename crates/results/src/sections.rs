@@ -4,10 +4,13 @@ use crate::stages::write_rows;
 use crate::{Error, number, replace_file};
 use std::path::Path;
 
+/// What ends the name of a lining with pores where its forces are those of effective stress.
+pub const EFFECTIVE: &str = ", effective";
+
 /// Section forces of a station of a lining at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionRow {
-    /// The group of elements.
+    /// The group of elements; with [`EFFECTIVE`] where forces are of effective stress.
     pub lining: String,
     /// Number of the station, going round the section.
     pub station: u32,

@@ -20,10 +20,17 @@ fn cases() -> Vec<PathBuf> {
     cases
 }
 
-/// Accepted by `check`, with one level of steps: the proof of levels takes most of the time, and quick.toml runs with them elsewhere.
+/// Accepted by `check`, with one level of steps: the proof of levels takes most of the time, and quick.toml runs with them elsewhere. The hall
+/// to which water flows, in three stages, is one element long.
 fn is_accepted(case: &Path) {
     let mut check = Command::new(env!("CARGO_BIN_EXE_tremolite"));
-    let done = check.args(["check", "--set", "dynamic.levels=1"]).arg(case).output().unwrap();
+    check.args(["check", "--set", "dynamic.levels=1"]);
+    if case.parent().is_some_and(|folder| folder.ends_with("wet-hall")) {
+        for key in ["near", "length", "along"] {
+            check.arg("--set").arg(format!("mesh.caverns.{key}=\"1.2 m\""));
+        }
+    }
+    let done = check.arg(case).output().unwrap();
     let told = String::from_utf8_lossy(&done.stderr);
     assert!(done.status.success(), "{}: {told}", case.display());
 }

@@ -226,7 +226,7 @@ fn a_run_without_room_on_the_disk_is_refused_before_it_begins_and_a_long_one_tol
 }
 
 #[test]
-fn linear_tetrahedra_are_told_in_rock_that_may_yield_and_nowhere_else() {
+fn linear_tetrahedra_are_told_where_rock_may_yield_or_keeps_its_water_and_nowhere_else() {
     use tremolite_mesh::{Element, Shape, boxes::BoxSpec};
     let folder = tempfile::tempdir().unwrap();
     let mut mesh = BoxSpec::uniform([0.0, 0.0, -20.0], [20.0, 20.0, 0.0], [2, 2, 2]).mesh().unwrap();
@@ -240,8 +240,13 @@ fn linear_tetrahedra_are_told_in_rock_that_may_yield_and_nowhere_else() {
     }
     mesh.groups = [("rock".to_owned(), (0..mesh.elements.len() as u32).collect())].into();
     tremolite_mesh::write(folder.path().join("box.vtu"), &mesh).unwrap();
-    let check = |yields: bool| {
+    let check = |yields: bool, earthquake: &str| {
         let mut text = STUDY.replace("INITIAL", "lateral = 0.5");
+        if !earthquake.is_empty() {
+            let pores = "[material.rock]\nwater = { biot = 0.8, porosity = 0.01 }\n";
+            let water = format!("[water]\nlevel = \"0 m\"\nearthquake = \"{earthquake}\"\n[[region]]");
+            text = text.replacen("[material.rock]\n", pores, 1).replacen("[[region]]", &water, 1);
+        }
         if !yields {
             let strength = "cohesion = \"0.5 MPa\"\nfriction_angle = \"30 deg\"\n";
             text = text.replace("mohr-coulomb", "elastic").replace(strength, "");
@@ -254,8 +259,15 @@ fn linear_tetrahedra_are_told_in_rock_that_may_yield_and_nowhere_else() {
         assert_eq!(code(&done), 0, "{}", errors(&done));
         errors(&done)
     };
-    assert!(!check(false).contains("tetrahedra"));
-    let words = check(true);
+    for earthquake in ["", "drained"] {
+        assert!(!check(false, earthquake).contains("tetrahedra"), "{earthquake}");
+    }
+    let words = check(false, "undrained");
+    assert!(
+        words.contains("100 % of 'rock' is linear tetrahedra, which are too stiff where water"),
+        "{words}"
+    );
+    let words = check(true, "");
     assert!(
         words.contains("100 % of 'rock' is linear tetrahedra") && words.contains("hexahedra or wedges"),
         "{words}"

@@ -1,5 +1,6 @@
 // The model in three dimensions: what is drawn and what the pointer says is what the field files hold.
 import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { browser, look, RESULTS, withPage } from "./browser.mjs";
@@ -205,34 +206,83 @@ test("groups with names that are markup are shown with these names", () =>
     for (const name of ["<script>", "</script>"]) assert.ok(text.includes(name), `${name} is not in the view`);
   }));
 
-/** Whether points of the overlay are of the colour of a wave's way: how many, and the mean of the upper and of the lower half of them. */
-const wavePoints = (page) =>
-  page.evaluate(async () => {
+/** The colours of a wave's way and of the flow of water. */
+const WAVE = [0xb0, 0x56, 0x1b];
+const FLOW = [0x0b, 0x4f, 0x9e];
+
+/** Whether points of the overlay are near a colour: how many, and the mean of the upper and of the lower half of them. */
+const pointsOf = (page, colour, near = 8) =>
+  page.evaluate(async ([colour, near]) => {
     await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     const canvas = document.querySelector("#view canvas.view-over");
-    const { data, width } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    // A copy, since the browser complains of one that is read more than once.
+    const pen = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+    pen.drawImage(canvas, 0, 0);
+    const { data, width } = pen.getImageData(0, 0, canvas.width, canvas.height);
     const points = [];
     for (let i = 0; i < data.length; i += 4) {
-      const off = Math.max(...[0xb0, 0x56, 0x1b].map((of, k) => Math.abs(data[i + k] - of)));
-      if (data[i + 3] > 250 && off < 8) points.push([(i / 4) % width, Math.floor(i / 4 / width)]);
+      const off = Math.max(...colour.map((of, k) => Math.abs(data[i + k] - of)));
+      if (data[i + 3] > 250 && off < near) points.push([(i / 4) % width, Math.floor(i / 4 / width)]);
     }
     points.sort((p, q) => p[1] - q[1]);
     const mean = (some) => [0, 1].map((k) => some.reduce((sum, point) => sum + point[k], 0) / some.length);
     const half = points.length >> 1;
     return { count: points.length, upper: mean(points.slice(0, half)), lower: mean(points.slice(half)) };
-  });
+  }, [colour, near]);
 
 test("a wave that comes in at 25° is an arrow of that slope, where no wave does there is none", async () => {
   await withPage(running, "named", async (page) => {
     await page.locator("#view").scrollIntoViewIfNeeded();
     await show(page, { look: "y" });
-    const { count, upper, lower } = await wavePoints(page);
+    const { count, upper, lower } = await pointsOf(page, WAVE);
     assert.ok(count > 40, `${count} points`);
     const slope = (Math.atan2(upper[0] - lower[0], lower[1] - upper[1]) * 180) / Math.PI;
     assert.ok(Math.abs(slope - 25) < 4, `${slope}° from upright`);
   });
   await withPage(running, "english", async (page) => {
     await page.locator("#view").scrollIntoViewIfNeeded();
-    assert.equal((await wavePoints(page)).count, 0);
+    assert.equal((await pointsOf(page, WAVE)).count, 0);
+  });
+});
+
+/** Lines of flow are thin, so most of their points are a little lighter. */
+const flowPoints = (page) => pointsOf(page, FLOW, 40);
+
+/** A page of the small case to which water flows: these arrows at all times. */
+function flowing(arrows, side) {
+  const folder = "flowing";
+  const page = readFileSync(join(RESULTS, "english", "report.html"), "utf8");
+  const changed = page.replace(/(<script[^>]*id="view-data"[^>]*>)([^<]*)(<\/script>)/, (_, open, json, close) => {
+    const held = JSON.parse(json);
+    held.flows = [{ side, arrows }];
+    held.flowAt = held.times.map(() => 0);
+    return open + JSON.stringify(held).replaceAll("<", "\\u003c") + close;
+  });
+  assert.notEqual(changed, page);
+  mkdirSync(join(RESULTS, folder), { recursive: true });
+  writeFileSync(join(RESULTS, folder, "report.html"), changed);
+  return folder;
+}
+
+test("water that flows is an arrow of its slope beside the cut, and none where it is not wanted or far from the cut", async () => {
+  // Across y is cut in the middle; of three arrows up at 30° one is beside it, one far behind, one cut away.
+  const way = [16 * Math.cos(Math.PI / 6), 0, 16 * Math.sin(Math.PI / 6)];
+  const at = (y) => [12, y, -70, ...way];
+  await withPage(running, flowing([at(0.5)], 1), async (page) => {
+    await page.locator("#view").scrollIntoViewIfNeeded();
+    await show(page, { look: "y", cut: { axis: 1, at: 0 } });
+    const { count, upper, lower } = await flowPoints(page);
+    assert.ok(count > 40, `${count} points`);
+    const slope = (Math.atan2(lower[1] - upper[1], upper[0] - lower[0]) * 180) / Math.PI;
+    assert.ok(Math.abs(slope - 30) < 4, `${slope}° from level`);
+    await show(page, { flow: false });
+    assert.equal((await flowPoints(page)).count, 0);
+  });
+  await withPage(running, flowing([at(1.5), at(-0.5)], 1), async (page) => {
+    await page.locator("#view").scrollIntoViewIfNeeded();
+    await show(page, { look: "y", cut: { axis: 1, at: 0 } });
+    assert.equal((await flowPoints(page)).count, 0);
+    await show(page, { cut: null });
+    assert.ok((await flowPoints(page)).count > 80);
   });
 });

@@ -5,8 +5,8 @@ use super::Texts;
 pub const TEXTS: Texts = &[
     ("{lining}: forces along it, and pairs of N and M", "{lining}：沿衬砌的内力及 N、M 组合"),
     (
-        " They are of total stress: concrete without pores bears all of it, and a lining with pores has N + p t of effective stress, p in its pores and t thick.",
-        "内力按总应力积分：无孔隙的混凝土承担全部内力；有孔隙的衬砌，有效应力的轴力为 N + p t，p 为其孔压，t 为厚度。",
+        " They are of total stress. A lining with pores stands a second time, as 'effective', with forces of the stress that its material feels, total and the pressure in its pores; in concrete without pores the two are the same.",
+        "内力按总应力积分。有孔隙的衬砌另列一次，名称带 effective，为其材料所受有效应力（总应力加孔压）的内力；无孔隙的混凝土两者相同。",
     ),
     ("N, thrust, tension positive (kN/m)", "轴力 N，受拉为正 (kN/m)"),
     ("M, moment (kN\u{a0}m/m)", "弯矩 M (kN\u{a0}m/m)"),

@@ -47,11 +47,6 @@ pub const TEXTS: Texts = &[
         "Section forces are of total stress; in a lining with pores the effective thrust is more tensile.",
         "断面内力按总应力计；含孔隙水的衬砌，其有效轴力更偏拉。",
     ),
-    (
-        " They are of total stress. In a lining with pores the effective thrust is more tensile, by the pore pressure \
-         times the thickness.",
-        "内力按总应力计；含孔隙水的衬砌，其有效轴力更偏拉，差值为孔隙水压力乘以厚度。",
-    ),
     ("{names}: on broken elements", "{names}：位于断裂单元上"),
     (
         "No limits of acceptance are given: [report.limits] in the case, or tremolite report --limits FILE.",

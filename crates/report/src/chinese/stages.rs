@@ -48,6 +48,10 @@ pub const TEXTS: Texts = &[
         "Lines separate elements with water under pressure from those without: the free surface. Look for how far the openings drain the rock, and for pressure right behind a lining.",
         "线条为有压与无压单元的分界，即按单元表示的浸润面。应注意洞室对岩体的疏干范围，以及紧邻衬砌背后的水压力。",
     ),
+    (
+        "Arrows show where the water flows in the section; their length goes with the root of the discharge.",
+        "箭头表示剖面内的渗流方向，其长度与比流量的平方根成正比。",
+    ),
     ("monitor", "监测点"),
     ("Monitors when the stages are done", "施工阶段结束时的监测点"),
     (

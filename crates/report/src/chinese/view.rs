@@ -41,6 +41,10 @@ pub const TEXTS: Texts = &[
         "Arrows beside the axes are the waves: each points along the wave's way in the rock of the base, and the thin line across or along it is the direction in which the wave moves the rock.",
         "坐标轴旁的箭头为入射波：箭头指向波在基底岩体中的传播方向，细线为质点的振动方向。",
     ),
+    (
+        "Arrows in the model show where the water flows, those beside a cut plane alone where one is set; their length goes with the root of the discharge, which the field seepage of the files holds.",
+        "模型中的箭头表示渗流方向；设有剖切面时只显示剖切面附近的箭头。箭头长度与比流量的平方根成正比，比流量的数值见结果文件中的 seepage。",
+    ),
     ("largest principal stress s1", "第一主应力 s1"),
     ("smallest principal stress s3", "第三主应力 s3"),
     ("largest effective principal stress", "第一有效主应力"),

@@ -9,6 +9,10 @@ use crate::drawing::window::Window;
 /// Areas of one kind: name, colour and outlines.
 type LineKind = (String, &'static str, Vec<Vec<(f64, f64)>>);
 
+/// Units: an arrow shorter than the first is not seen as one, and no barb is longer than the second.
+const ARROW_LEAST: f64 = 3.0;
+const ARROW_BARB: f64 = 5.0;
+
 /// The map in the making.
 pub struct Frame {
     window: Window,
@@ -25,6 +29,8 @@ pub struct Frame {
     /// Lines over all else, and those on which the value is zero.
     shapes: Vec<Vec<(f64, f64)>>,
     zero: Vec<Vec<(f64, f64)>>,
+    /// Lines of arrows, thin.
+    arrows: Vec<Vec<(f64, f64)>>,
     points: Vec<(String, (f64, f64))>,
 }
 
@@ -45,6 +51,7 @@ impl Frame {
             borders: Vec::new(),
             shapes: Vec::new(),
             zero: Vec::new(),
+            arrows: Vec::new(),
             points: Vec::new(),
         }
     }
@@ -144,6 +151,22 @@ impl Frame {
         self.shapes.extend(lines);
     }
 
+    /// An arrow from a tail to a head, over all but names; left out where it reaches out of the window.
+    pub fn arrow(&mut self, [tail, head]: [[f64; 2]; 2]) {
+        if ![tail, head].iter().all(|end| self.window.meets(&[*end])) {
+            return;
+        }
+        let [(x, y), (to_x, to_y)] = [tail, head].map(|end| self.place(end));
+        let (along, down) = (to_x - x, to_y - y);
+        let length = along.hypot(down);
+        if length < ARROW_LEAST {
+            return;
+        }
+        let barb = (0.4 * length).min(ARROW_BARB) / length;
+        let side = |turn: f64| (to_x - barb * (along - turn * down), to_y - barb * (down + turn * along));
+        self.arrows.extend([vec![(x, y), (to_x, to_y)], vec![side(0.5), (to_x, to_y), side(-0.5)]]);
+    }
+
     /// A named point; left out if it is outside the window.
     pub fn point(&mut self, name: &str, at: [f64; 2]) {
         if self.window.meets(&[at]) {
@@ -182,6 +205,9 @@ impl Frame {
         svg.borders(&self.borders);
         if !self.shapes.is_empty() {
             svg.shapes(&self.shapes);
+        }
+        if !self.arrows.is_empty() {
+            svg.hatching(&self.arrows);
         }
         for (name, at) in &self.points {
             // A name that would be cut off at the map's edge ends there.

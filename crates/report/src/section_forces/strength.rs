@@ -6,7 +6,7 @@
 //! tension, and with f_c over the whole of the compressed part it bears m = ½|n|(1 − |n|) at most. Plain concrete bears what
 //! lies within either.
 
-use tremolite_results::Summary;
+use tremolite_results::{EFFECTIVE, Summary};
 
 use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
@@ -28,6 +28,8 @@ pub struct Strength {
 impl Strength {
     /// Of the material that the group is made of; nothing where the summary does not say.
     pub fn of(group: &str, facts: &Summary) -> Option<Self> {
+        // Forces of effective stress have the group's name and a word more.
+        let group = group.strip_suffix(EFFECTIVE).unwrap_or(group);
         let made = |names: &str| names.split(", ").any(|name| name == group);
         let material = facts.computed.materials.values().find(|m| m.groups.iter().any(|g| made(&g.names)))?;
         let value = |name: &str| material.values.iter().find(|v| v.name == name).map(|v| v.value);

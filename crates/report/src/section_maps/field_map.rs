@@ -4,6 +4,7 @@ use tremolite_results::{Cut, CutCell};
 
 use crate::chapter::figure::Figure;
 use crate::drawing::frame_row::MapRow;
+use crate::drawing::window::Window;
 use crate::language::say;
 use crate::quantities::scale::Scale;
 use crate::section_maps::section_view::{Edge, Positions, borders, on_plane, place, points, window};
@@ -29,13 +30,19 @@ pub struct Map<'a> {
 impl Map<'_> {
     /// The figure; `positions` are points to be named in it.
     pub fn figure(&self, positions: &Positions) -> Figure {
-        self.figure_with(positions, &[])
+        self.figure_with(positions, &[], &|_| Vec::new())
     }
 
-    /// The same with more lines in it.
-    pub fn figure_with(&self, positions: &Positions, lines: &[Edge]) -> Figure {
+    /// The same with more lines in it, and with arrows, each from its tail to its head, for what the window shows.
+    pub fn figure_with(
+        &self,
+        positions: &Positions,
+        lines: &[Edge],
+        arrows: &dyn Fn(&Window) -> Vec<Edge>,
+    ) -> Figure {
         let (language, cut) = (self.source.language, self.cut);
         let window = window(cut, positions, self.margin, |_| false);
+        let arrows = arrows(&window);
         let seen: Vec<&CutCell> = cut.cells.iter().filter(|cell| window.meets(&cell.outline)).collect();
         let finite = || seen.iter().copied().filter(|cell| cell.value.is_finite());
         let low = finite().map(|cell| cell.value).fold(f64::INFINITY, f64::min);
@@ -49,6 +56,7 @@ impl Map<'_> {
         }
         frame.outlines(&borders);
         frame.shapes(lines);
+        arrows.into_iter().for_each(|arrow| frame.arrow(arrow));
         points(&mut frame, cut, positions);
         for cell in finite() {
             frame.cell(&cell.outline, cell.value * scale.factor);

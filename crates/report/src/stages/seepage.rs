@@ -4,6 +4,8 @@ use tremolite_results::{CutCell, Fields, Slice, Summary};
 
 use crate::chapter::figure::{Block, Figure};
 use crate::chapter::text_table::{Cell, Head, TextTable};
+use crate::drawing::window::Window;
+use crate::flow::{self, FlowArrow};
 use crate::language::say;
 use crate::quantities::scale::figures;
 use crate::section_maps::field_map::Map;
@@ -13,6 +15,8 @@ use crate::stages::names::called;
 
 /// Room around caverns, as a part of their extent: the water is drawn down farther than stresses are changed.
 const MARGIN: f64 = 1.0;
+/// On the section, so that each is well seen.
+const ARROWS: usize = 300;
 
 /// The table; nothing without seepage.
 pub fn table(source: &Source, facts: &Summary) -> Option<Block> {
@@ -66,22 +70,44 @@ pub fn map(
 ) -> Option<Figure> {
     let language = source.language;
     let cut = file.cut(slice, &["p"]).filter(|cut| cut.cells.iter().any(|cell| cell.value > 0.0))?;
+    let discharge = file.of_elements("seepage");
+    let mut look = say!(
+        language,
+        "Lines separate elements with water under pressure from those without: the free surface. Look for how far the openings drain \
+         the rock, and for pressure right behind a lining."
+    );
+    if discharge.is_some() {
+        look = language.joined(&[
+            look,
+            say!(language, "Arrows show where the water flows in the section; their length goes with the root of the discharge."),
+        ]);
+    }
     let map = Map {
         source,
         cut: &cut,
         heading,
         when,
         title: &say!(language, "pressure of the water p"),
-        look: &say!(
-            language,
-            "Lines separate elements with water under pressure from those without: the free surface. Look for how far the openings drain \
-             the rock, and for pressure right behind a lining."
-        ),
+        look: &look,
         file: "stage-p.svg",
         lowest: false,
         margin: MARGIN,
     };
-    Some(map.figure_with(positions, &surface(&cut.cells)))
+    let arrows = |window: &Window| discharge.as_deref().map_or_else(Vec::new, |q| arrows(slice, q, window));
+    Some(map.figure_with(positions, &surface(&cut.cells), &arrows))
+}
+
+/// The flow in the plane of the section where the window shows it, by the discharge of each cell (m/s): arrows from tail to head.
+fn arrows(slice: &Slice, discharge: &[[f64; 3]], window: &Window) -> Vec<Edge> {
+    let pieces = slice.pieces.iter().map(|piece| {
+        let number = piece.corners.len().max(1) as f64;
+        let middle = |i: usize| piece.corners.iter().map(|corner| corner.at[i]).sum::<f64>() / number;
+        let q = discharge[piece.cell];
+        ([middle(0), 0.0, middle(1)], [q[0], 0.0, q[2]])
+    });
+    let seen: Vec<_> = pieces.filter(|([x, _, z], _)| window.meets(&[[*x, *z]])).collect();
+    let end = |arrow: &FlowArrow, part: f64| [0, 2].map(|k| arrow.at[k] + part * arrow.way[k]);
+    flow::arrows(&seen, ARROWS).arrows.iter().map(|arrow| [end(arrow, -0.5), end(arrow, 0.5)]).collect()
 }
 
 /// Edges between cells with pressure and cells without.

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use tremolite_results::Wave;
 
+use crate::flow::Flow;
 use crate::quantities::scale::trimmed;
 
 #[derive(Serialize)]
@@ -24,6 +25,9 @@ pub struct Manifest {
     pub parts: Vec<PartData>,
     /// Plane waves at angles, during the earthquake.
     pub waves: Vec<Arrow>,
+    /// Flows of water, each once, and by time which of them is there.
+    pub flows: Vec<FlowHeld>,
+    pub flow_at: Vec<Option<usize>>,
     /// For the reader.
     pub notes: Vec<String>,
 }
@@ -42,6 +46,27 @@ impl Arrow {
     pub fn of(wave: &Wave) -> Arrow {
         let angle = trimmed(&format!("{:.2}", wave.angle.to_degrees()));
         Arrow { label: format!("{} {angle}°", wave.kind), way: wave.way, polarisation: wave.polarisation }
+    }
+}
+
+/// Arrows of the flow of water.
+#[derive(PartialEq, Serialize)]
+pub struct FlowHeld {
+    /// The side of the cubes of which each has one (m).
+    pub side: f64,
+    /// The middle of each arrow and its way from tail to head: x, y, z, then along x, y, z (m).
+    pub arrows: Vec<[f64; 6]>,
+}
+
+impl FlowHeld {
+    /// To a millimetre, which is far finer than what is seen.
+    pub fn of(flow: &Flow) -> FlowHeld {
+        let rounded = |x: f64| (x * 1e3).round() / 1e3;
+        let arrows = flow.arrows.iter().map(|arrow| {
+            let ([x, y, z], [along, across, up]) = (arrow.at, arrow.way);
+            [x, y, z, along, across, up].map(rounded)
+        });
+        FlowHeld { side: rounded(flow.side), arrows: arrows.collect() }
     }
 }
 

@@ -89,3 +89,11 @@ pub fn waves(language: Language) -> String {
         "Arrows beside the axes are the waves: each points along the wave's way in the rock of the base, and the thin line across or along it is the direction in which the wave moves the rock."
     )
 }
+
+/// What the arrows in the model are.
+pub fn flow(language: Language) -> String {
+    say!(
+        language,
+        "Arrows in the model show where the water flows, those beside a cut plane alone where one is set; their length goes with the root of the discharge, which the field seepage of the files holds."
+    )
+}

@@ -7,6 +7,7 @@ use crate::error::RunError;
 use crate::plan::Plan;
 use crate::sections::{Levers, Station, Steel, forces};
 use lined::{lined, steel};
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 use tremolite_engine::Model;
@@ -15,7 +16,8 @@ use tremolite_engine::bolts::SegmentSeen;
 use tremolite_engine::member::Kind;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
-use tremolite_results::{ResultFolder, SectionRow, write_sections};
+use tremolite_engine::water::with_pressure;
+use tremolite_results::{EFFECTIVE, ResultFolder, SectionRow, write_sections};
 
 /// Forces by station at the end of each stage, three each, stage behind stage.
 const STAGES: &str = "section forces of stages";
@@ -31,6 +33,8 @@ pub struct SectionForces {
     stations: Vec<(String, Station)>,
     /// The bars in each.
     steel: Vec<Vec<Steel>>,
+    /// Whether stresses are effective ones: total stress and the pressure in the pores.
+    effective: bool,
 }
 
 /// Keeps the forces of stations at the end of stages and their extremes in the shaking, and writes them.
@@ -38,8 +42,13 @@ pub struct SectionTable {
     wants: Wants,
     folder: ResultFolder,
     plan: Arc<Plan>,
+    /// Forces of total stress, and where there are pores in linings those of effective stress.
+    tables: Vec<Followed>,
+}
+
+/// Forces, with what the many times of the shaking do not change of them, by station.
+struct Followed {
     sections: SectionForces,
-    /// By station, for the many times of the shaking.
     levers: Vec<Option<Levers>>,
 }
 
@@ -53,11 +62,16 @@ impl SectionTable {
         }
         let looks = setting.shakes().then(|| setting.rows());
         let wants = Wants { looks, ..sections.wants(model, assembly) };
-        let levers = match setting.shakes() {
-            true => sections.levers(model, setting.phase),
-            false => Vec::new(),
+        let effective = sections.effective(model);
+        let followed = |sections: SectionForces| {
+            let levers = match setting.shakes() {
+                true => sections.levers(model, setting.phase),
+                false => Vec::new(),
+            };
+            Followed { sections, levers }
         };
-        Some(SectionTable { wants, folder: folder.clone(), plan: plan.clone(), sections, levers })
+        let tables = std::iter::once(sections).chain(effective).map(followed).collect();
+        Some(SectionTable { wants, folder: folder.clone(), plan: plan.clone(), tables })
     }
 }
 
@@ -67,21 +81,26 @@ impl Observer for SectionTable {
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {
-        let SectionTable { folder, plan, sections, levers, .. } = self;
+        let SectionTable { folder, plan, tables, .. } = self;
         match event {
             Event::Look(view) => {
-                sections.follow(memory, view.snapshot.time, &sections.looked_at(view, levers));
-                Ok(())
-            }
-            Event::StageEnds(StageSeen { at_rest, view, .. }) => {
-                if *at_rest {
-                    memory.entry(STAGES.into()).or_default().extend(sections.at(view).into_iter().flatten());
+                for Followed { sections, levers } in tables {
+                    sections.follow(memory, view.snapshot.time, &sections.looked_at(view, levers));
                 }
-                sections.write(folder, plan, memory)
+                return Ok(());
             }
-            Event::StagesTaken | Event::End { .. } => sections.write(folder, plan, memory),
-            _ => Ok(()),
+            Event::StageEnds(StageSeen { at_rest: true, view, .. }) => {
+                for Followed { sections, .. } in &*tables {
+                    let kept = memory.entry(sections.named(STAGES)).or_default();
+                    kept.extend(sections.at(view).into_iter().flatten());
+                }
+            }
+            Event::StageEnds(_) | Event::StagesTaken | Event::End { .. } => {}
+            _ => return Ok(()),
         }
+        let rows: Vec<SectionRow> =
+            tables.iter().flat_map(|table| table.sections.rows(plan, memory)).collect();
+        Ok(write_sections(&folder.sections(), &rows)?)
     }
 }
 
@@ -89,7 +108,45 @@ impl SectionForces {
     /// Finds the stations: of whole groups that damage, or that begin with a stage.
     pub fn of(model: &Model) -> Self {
         let stations = lined(model);
-        SectionForces { steel: steel(model, &stations), stations }
+        SectionForces { steel: steel(model, &stations), stations, effective: false }
+    }
+
+    /// Those stations of linings with pores, for their forces of effective stress; nothing where no lining has any.
+    fn effective(&self, model: &Model) -> Option<SectionForces> {
+        let earlier = |e: &u32| model.elements.successors.get(e).copied();
+        let porous = |station: &Station| {
+            let elements = station.stack.iter().flat_map(|&(e, _)| std::iter::successors(Some(e), earlier));
+            elements.into_iter().any(|e| model.water.is_porous(e as usize))
+        };
+        let own = self.stations.iter().zip(&self.steel).filter(|((_, station), _)| porous(station));
+        let (stations, steel): (Vec<_>, Vec<_>) = own
+            .map(|((lining, station), steel)| {
+                ((format!("{lining}{EFFECTIVE}"), station.clone()), steel.clone())
+            })
+            .unzip();
+        (!stations.is_empty()).then_some(SectionForces { stations, steel, effective: true })
+    }
+
+    /// The name of a column of the memory.
+    fn named(&self, column: &str) -> String {
+        if self.effective { format!("{column}{EFFECTIVE}") } else { column.into() }
+    }
+
+    /// Stresses \[Pa\] by point, of which these forces are.
+    fn stresses<'v>(&self, view: &View<'v>) -> Cow<'v, [[f64; 6]]> {
+        let snapshot = view.snapshot;
+        if !self.effective {
+            return Cow::Borrowed(&snapshot.stress);
+        }
+        let mut stresses = snapshot.stress.clone();
+        for (e, _) in self.stations.iter().flat_map(|(_, station)| &station.stack) {
+            let Some(slot) = slot_of(view, *e) else { continue };
+            let p = snapshot.pore[slot.element as usize];
+            for stress in &mut stresses[slot.point as usize..][..slot.points as usize] {
+                *stress = with_pressure(*stress, p);
+            }
+        }
+        Cow::Owned(stresses)
     }
 
     /// Middle of the mid-surface of every station \[m\].
@@ -128,9 +185,10 @@ impl SectionForces {
 
     /// Forces of every station at a time, in the order of the stations; not a number where it does not stand.
     pub fn at(&self, view: &View) -> Vec<[f64; 3]> {
+        let stresses = self.stresses(view);
         let points = |e: u32| {
             let slot = slot_of(view, e)?;
-            let stress = &view.snapshot.stress[slot.point as usize..][..slot.points as usize];
+            let stress = &stresses[slot.point as usize..][..slot.points as usize];
             Some((slot.places, stress))
         };
         self.with_steel(view, |_, station| {
@@ -143,9 +201,10 @@ impl SectionForces {
 
     /// The same, to the bit, with the levers of the view's phase.
     fn looked_at(&self, view: &View, levers: &[Option<Levers>]) -> Vec<[f64; 3]> {
+        let stresses = self.stresses(view);
         let points = |e: u32| {
             let slot = slot_of(view, e)?;
-            Some(&view.snapshot.stress[slot.point as usize..][..slot.points as usize])
+            Some(&stresses[slot.point as usize..][..slot.points as usize])
         };
         self.with_steel(view, |k, station| match &levers[k] {
             Some(levers) => levers.forces(station, points),
@@ -174,7 +233,7 @@ impl SectionForces {
     /// Follows the extremes of the shaking.
     fn follow(&self, memory: &mut Memory, time: f64, forces: &[[f64; 3]]) {
         let start = || [f64::NEG_INFINITY, 0.0, f64::INFINITY, 0.0].repeat(3 * self.stations.len());
-        let kept = memory.entry(EXTREMES.into()).or_insert_with(start);
+        let kept = memory.entry(self.named(EXTREMES)).or_insert_with(start);
         let mut beside = Vec::new();
         for (k, now) in forces.iter().flatten().enumerate() {
             let kept = &mut kept[4 * k..4 * k + 4];
@@ -191,12 +250,13 @@ impl SectionForces {
                 }
             }
         }
-        let kept = memory.entry(BESIDE.into()).or_insert_with(|| vec![f64::NAN; 4 * self.stations.len()]);
+        let kept =
+            memory.entry(self.named(BESIDE)).or_insert_with(|| vec![f64::NAN; 4 * self.stations.len()]);
         beside.into_iter().for_each(|(at, value)| kept[at] = value);
     }
 
-    /// Writes sections.csv whole from what is remembered.
-    fn write(&self, folder: &ResultFolder, plan: &Plan, memory: &Memory) -> Result<(), RunError> {
+    /// Rows of sections.csv from what is remembered.
+    fn rows(&self, plan: &Plan, memory: &Memory) -> Vec<SectionRow> {
         let mut rows = Vec::new();
         let mut number = HashMap::<&str, u32>::new();
         let row =
@@ -217,7 +277,7 @@ impl SectionForces {
             let next = number.entry(lining).or_default();
             *next += 1;
             let at = 3 * k;
-            let stages = memory.get(STAGES).map_or(&[][..], Vec::as_slice);
+            let stages = memory.get(&self.named(STAGES)).map_or(&[][..], Vec::as_slice);
             for (stage, forces) in plan.stages.iter().zip(stages.chunks_exact(3 * self.stations.len())) {
                 let forces = [forces[at], forces[at + 1], forces[at + 2]];
                 if forces.iter().all(|f| f.is_finite()) {
@@ -232,10 +292,10 @@ impl SectionForces {
                     ));
                 }
             }
-            let Some(kept) = memory.get(EXTREMES) else { continue };
+            let Some(kept) = memory.get(&self.named(EXTREMES)) else { continue };
             let of = |i: usize, c: usize| kept[4 * (at + i) + c];
             let beside = |c: usize| {
-                let kept = memory.get(BESIDE).map(|kept| &kept[4 * k..]);
+                let kept = memory.get(&self.named(BESIDE)).map(|kept| &kept[4 * k..]);
                 kept.map_or([f64::NAN; 2], |kept| [kept[c / 2], kept[2 + c / 2]])
             };
             for (when, c) in [("min", 2), ("max", 0)] {
@@ -245,7 +305,7 @@ impl SectionForces {
                 }
             }
         }
-        Ok(write_sections(&folder.sections(), &rows)?)
+        rows
     }
 }
 
@@ -280,7 +340,7 @@ mod tests {
     #[test]
     fn the_thrust_of_the_largest_moment_is_that_of_its_time() {
         let stations = [1.0, 2.0].map(|x| ("hall".to_owned(), station(x))).to_vec();
-        let all = SectionForces { stations, steel: vec![Vec::new(); 2] };
+        let all = SectionForces { stations, steel: vec![Vec::new(); 2], effective: false };
         let mut memory = Memory::new();
         // N, M, Q of both stations at three times; the second station's moments swing the other way.
         let rows = [

@@ -4,9 +4,9 @@ use crate::quantities::Field;
 use crate::stacks::stacks;
 use crate::trust::{DRIFT, LEAST_AT_CORNERS, typical_extent};
 use tremolite_case::{self as case, Case};
-use tremolite_engine::Body;
 use tremolite_engine::extent::sizes;
 use tremolite_engine::hexahedra::hex;
+use tremolite_engine::{Body, Water};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
@@ -91,28 +91,39 @@ pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body])
 /// Share of a body's volume in linear tetrahedra from which on they are told.
 const TETRAHEDRA: f64 = 0.01;
 
-/// Rock of linear tetrahedra that may yield: plastic flow keeps the volume, which such an element can hardly do and be sheared.
-pub fn of_tetrahedra(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Diagnostic> {
+/// Rock of linear tetrahedra that may yield, or whose water cannot leave in the earthquake: plastic flow keeps the volume and so does water,
+/// which such an element can hardly do and be sheared.
+pub fn of_tetrahedra(
+    case: &Case,
+    mesh: &tremolite_mesh::Mesh,
+    bodies: &[Body],
+    water: &Water,
+) -> Vec<case::Diagnostic> {
     let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
     let yields = |body: &Body| position(body.material.info().history, Role::PlasticShear).is_some();
     let volume = |e: &u32| hex(mesh, *e as usize).map_or(0.0, |h| h.volume);
     let is_one = |e: &&u32| mesh.elements[**e as usize].shape == tremolite_mesh::Shape::Tet4;
     regions
         .zip(bodies)
-        .filter(|(_, body)| yields(body))
         .filter_map(|(region, body)| {
+            let wet = |e: &&u32| water.undrained(**e as usize).is_some();
             let all: f64 = body.elements.iter().map(volume).sum();
-            let found: f64 = body.elements.iter().filter(is_one).map(volume).sum();
+            let (why, found): (_, f64) = if yields(body) {
+                let found = body.elements.iter().filter(is_one).map(volume).sum();
+                ("where rock yields: they keep their volume as plastic flow does", found)
+            } else {
+                let found = body.elements.iter().filter(is_one).filter(wet).map(volume).sum();
+                ("where water cannot leave in the earthquake: they keep their volume as it does", found)
+            };
             (found > TETRAHEDRA * all).then(|| {
                 case::Diagnostic::new(
                     region.span.clone(),
                     format!(
-                        "{:.0} % of '{}' is linear tetrahedra, which are too stiff where rock yields: they keep their volume as \
-                         plastic flow does, and are hardly sheared",
+                        "{:.0} % of '{}' is linear tetrahedra, which are too stiff {why}, and are hardly sheared",
                         100.0 * found / all,
                         body.name
                     ),
-                    "mesh with hexahedra or wedges where it may yield, or halve the elements and see what changes",
+                    "mesh with hexahedra or wedges there, or halve the elements and see what changes",
                 )
             })
         })

@@ -10,7 +10,7 @@ use tremolite::simulation::{Ending, Go, Start};
 use tremolite::stages::flow_in;
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::vtu::{Grid, Values};
-use tremolite_results::{ResultFolder, Status};
+use tremolite_results::{ResultFolder, Status, read_sections};
 
 const HALL: &str = r#"title = "hall in wet rock"
 [mesh.file]
@@ -333,4 +333,38 @@ fn a_wall_that_is_full_and_drained_is_full() {
     let drained = dig("drained = [\"rock\"]");
     assert_eq!(p(&both, WALL, 1), p(&full, WALL, 1));
     assert!(p(&drained, WALL, 1) < 0.5 * p(&full, WALL, 1));
+}
+
+/// A shell with pores below still water: its thrust of effective stress is that of total stress and the pressure at its height over its
+/// thickness, and where the water is the same through the thickness, in walls, it bends nothing. Without pores there is one thrust.
+#[test]
+fn a_lining_with_pores_has_its_forces_in_both_stresses() {
+    let folder = tempfile::tempdir().unwrap();
+    let still = HALL
+        .replace("pressure = \"seepage\"\nheads = { xmin = \"-5 m\", xmax = \"-5 m\" }\n", "")
+        .replace(", permeability = \"1e-7 m/s\"", "");
+    let rows = |name: &str, text: &str| {
+        let results = ResultFolder::create(Some(&folder.path().join(name)), name, true).unwrap();
+        let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };
+        made(text).run(&results, Start::Rest, &Caller::new("test"), &mut control).unwrap();
+        read_sections(&results.sections()).unwrap()
+    };
+    let porous = rows("porous", &still.replace("water = \"none\"", "water = { biot = 0.6 }"));
+    let (total, effective): (Vec<_>, Vec<_>) = porous.into_iter().partition(|row| row.lining == "shell");
+    assert!(total.len() > 6 && total.len() == effective.len(), "{} {}", total.len(), effective.len());
+    let mut walls = 0;
+    for (t, e) in total.iter().zip(&effective) {
+        assert_eq!((e.lining.as_str(), e.station, e.place), ("shell, effective", t.station, t.place));
+        let pressure = 9810.0 * (-5.0 - t.place[2]);
+        let [n, m, q] = [0, 1, 2].map(|i| e.forces[i] - t.forces[i]);
+        let size = pressure * t.thickness;
+        assert!((n / size - 1.0).abs() < 1e-9, "{n} of {size} at {:?}", t.place);
+        assert!(q.abs() < 1e-9 * size, "{q} at {:?}", t.place);
+        if (t.place[0] - 30.0).abs() > 5.0 {
+            walls += 1;
+            assert!(m.abs() < 1e-9 * size * t.thickness, "{m} at {:?}", t.place);
+        }
+    }
+    assert!(walls >= 4, "{walls}");
+    assert!(rows("tight", &still).iter().all(|row| row.lining == "shell"));
 }

@@ -232,7 +232,11 @@ function shownControls(held: Manifest, state: State, changed: () => void) {
     state.edges = on;
     changed();
   });
+  const flow = check(words.flow, state.flow, (on) => {
+    state.flow = on;
+    changed();
+  });
   const rock = held.parts.some((part) => part.kind === "rock");
-  tells.push(() => (style.input.value = state.rock));
-  return { rows: [...parts, ...(rock ? [style.row] : []), openings.row, edges.row], tell: () => tells.forEach((show) => show()) };
+  tells.push(() => (style.input.value = state.rock), () => (flow.input.checked = state.flow));
+  return { rows: [...parts, ...(rock ? [style.row] : []), openings.row, edges.row, ...(held.flows.length ? [flow.row] : [])], tell: () => tells.forEach((show) => show()) };
 }

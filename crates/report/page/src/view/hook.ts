@@ -29,6 +29,8 @@ export interface Show {
   rock?: State["rock"];
   colourRock?: boolean;
   range?: State["range"];
+  /** Arrows of the flow of water. */
+  flow?: boolean;
   /** Where to look from. */
   look?: From;
   /** Names of the parts to show. */
@@ -67,6 +69,7 @@ export function take(state: State, what: Show, parts: string[]) {
   if (what.scale !== undefined) state.scale = what.scale;
   if (what.rock !== undefined) state.rock = what.rock;
   if (what.colourRock !== undefined) state.colourRock = what.colourRock;
+  if (what.flow !== undefined) state.flow = what.flow;
   if (what.range !== undefined) state.range = what.range;
   if (what.parts !== undefined) state.shown = parts.map((name) => what.parts!.includes(name));
 }

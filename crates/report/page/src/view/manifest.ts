@@ -34,6 +34,12 @@ export interface WaveHeld {
   polarisation: [number, number, number];
 }
 
+/** Arrows of the flow of water, each alone in a cube of this side: x, y, z of its middle, then its way from tail to head, in m. */
+export interface FlowHeld {
+  side: number;
+  arrows: [number, number, number, number, number, number][];
+}
+
 /** The whole model: coordinates are origin + step * u16, displacements mean + displacementStep * i16, in SI. */
 export interface Manifest {
   version: 1;
@@ -48,6 +54,9 @@ export interface Manifest {
   parts: PartHeld[];
   /** Waves at angles: ways and what they move, of length 1. */
   waves: WaveHeld[];
+  flows: FlowHeld[];
+  /** By time, which of the flows is there. */
+  flowAt: (number | null)[];
   notes: string[];
 }
 

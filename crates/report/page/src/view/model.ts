@@ -4,6 +4,7 @@ import { cameraOn, subject } from "./camera";
 import { type Range, schemeOf } from "./colours";
 import { codesOf, stepsOf } from "./codes";
 import { AXES, controls, toolbar } from "./controls";
+import { flowShown } from "./flow";
 import { take, type Picked, type Show, type ViewHook } from "./hook";
 import { el } from "./inputs";
 import { drawnAt, layering } from "./layers";
@@ -107,7 +108,11 @@ export async function buildModel(held: Manifest, host: HTMLElement, stage: Stage
         beyond: { below: !!seen && seen.low < range.low - slack, above: !!seen && seen.high > range.high + slack },
         nothing: anyNothing,
       } || null,
-      panels: stage.places(used().length).map((place, i) => ({ ...place, lines: captionOf(used()[i].time) })),
+      panels: stage.places(used().length).map((place, i) => ({
+        ...place,
+        lines: captionOf(used()[i].time),
+        flow: flowShown(held, box, state, used()[i].time),
+      })),
       camera: eye.camera,
       waves: held.waves,
     };

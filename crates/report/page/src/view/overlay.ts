@@ -17,12 +17,14 @@ export interface Overlay {
   nothing: string;
   /** In SI, with the unit to show it in. */
   bar: { range: Range; scheme: Scheme; shown: Shown; beyond: { below: boolean; above: boolean }; nothing: boolean } | null;
-  /** By panel: where it is, and its lines of text. */
-  panels: { left: number; top: number; width: number; height: number; lines: string[] }[];
+  /** By panel: where it is, its lines of text, and the tails and heads of arrows of flow, relative to the model's centre. */
+  panels: { left: number; top: number; width: number; height: number; lines: string[]; flow: [Vector3, Vector3][] }[];
   camera: Camera;
   waves: WaveHeld[];
 }
 
+/** Of the flow of water. */
+const FLOW = "#0b4f9e";
 /** Of the ways of waves. */
 const WAVE = "#b0561b";
 
@@ -40,6 +42,7 @@ export function drawOverlay(pen: CanvasRenderingContext2D, over: Overlay) {
       pen.strokeRect(panel.left - 0.5, panel.top - 0.5, panel.width + 2, panel.height + 2);
       pen.globalAlpha = 1;
     }
+    drawFlow(pen, over, panel);
     const room = panel.width - 24 - (panel.left + panel.width === over.width && over.bar ? 70 : 0);
     let y = panel.top + 16;
     const lines = panel.lines.flatMap((line) => wrapped(pen, line, room));
@@ -225,6 +228,25 @@ function drawWave(pen: CanvasRenderingContext2D, over: Overlay, wave: WaveHeld, 
   pen.textAlign = "center";
   text(pen, wave.label, x, y + 35, over.ink);
   pen.textAlign = "start";
+}
+
+/** Arrows of flow as the camera sees them, with a light edge so that they are seen on any colour. */
+function drawFlow(pen: CanvasRenderingContext2D, over: Overlay, panel: Overlay["panels"][number]) {
+  const seen = (at: Vector3) => {
+    const { x, y, z } = at.clone().project(over.camera);
+    return { x: panel.left + ((x + 1) / 2) * panel.width, y: panel.top + ((1 - y) / 2) * panel.height, before: z < 1 };
+  };
+  const arrows = panel.flow.map((ends) => ends.map(seen)).filter((ends) => ends.every((end) => end.before));
+  pen.save();
+  pen.beginPath();
+  pen.rect(panel.left, panel.top, panel.width, panel.height);
+  pen.clip();
+  for (const [colour, width, head] of [["#ffffff", 3, 7], [FLOW, 1.3, 6]] as const) {
+    pen.strokeStyle = pen.fillStyle = colour;
+    pen.lineWidth = width;
+    for (const [tail, tip] of arrows) arrow(pen, tail.x, tail.y, tip.x, tip.y, head);
+  }
+  pen.restore();
 }
 
 /** A line that ends in a head, which is shorter where the line is. */

@@ -50,6 +50,7 @@ export function firstState(held: Manifest, box: Box, fields: Choice[], along: nu
     hidden: held.parts.map(() => new Set()),
     openings: true,
     edges: true,
+    flow: true,
     colourRock: false,
     range: "all",
     own: { low: 0, high: 1 },

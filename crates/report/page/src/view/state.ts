@@ -33,6 +33,8 @@ export interface State {
   hidden: Set<string>[];
   openings: boolean;
   edges: boolean;
+  /** Whether arrows show the flow of water. */
+  flow: boolean;
   range: RangeKind;
   own: Range;
 }
