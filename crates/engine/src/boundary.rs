@@ -6,6 +6,7 @@
 mod asked;
 pub mod base;
 pub mod bed;
+mod face_shares;
 mod far_field;
 pub mod matrix;
 mod nodes;
@@ -78,6 +79,13 @@ impl Surroundings<'_> {
         let moduli = self.water.stiffened(element as usize, body.material.moduli());
         let (p, s) = moduli.wave_speeds(body.density);
         (body.density * p, body.density * s)
+    }
+
+    /// Of the element behind a face, [what its stress lacks](crate::free_field::End::lacking).
+    fn lacking(&self, face: Face) -> [f64; 2] {
+        let Some(body) = self.body(face) else { return [0.0; 2] };
+        let own = body.material.moduli();
+        face_shares::lacking(own, self.water.stiffened(face.element as usize, own))
     }
 
     /// Dashpots of a quarter of a reference column's section in a layer.

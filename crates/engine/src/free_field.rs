@@ -75,8 +75,51 @@ pub struct Place {
     /// Points of the node's faces, each with its share N n dA, outwards \[m²\]. Tractions at nodes alone would err by h² at edges of
     /// the model, where a share lies on one side of its node.
     pub shares: Vec<([f64; 3], [f64; 3])>,
+    /// What it takes beside that at edges of the model.
+    pub ends: Vec<End>,
     /// Bottoms of columns with their weights in the mean that is u_ff; none where no springs act.
     pub bottoms: Vec<(u32, f64)>,
+}
+
+/// What a node at an edge of the model, where a plane's faces end, takes of a point of one of them beside its share.
+///
+/// On a face across x the stress of an [element](tremolite_laws::shapes::hex8) varies so: τ_xy along z alone, τ_xz along y alone, and
+/// σ_xx along y as in plane stress across y, by σ_xx − ν/(1 − ν) σ_yy, along z likewise. What of the field's traction
+/// varies otherwise no element takes up. Where two faces meet in a plane that cancels; where one ends it would leave a force of
+/// ∂σ h²/12 a length, an error of h² ln 1/h. A node there has what τ_xy and (ν/(1 − ν)) σ_yy are in the mean along y instead,
+/// where faces end along y, and so along z.
+#[derive(Clone, Debug)]
+pub struct End {
+    /// m, a point of its shares.
+    pub at: [f64; 3],
+    /// Out of the face.
+    pub normal: [f64; 3],
+    /// Along its sides, of unit length.
+    pub along: [[f64; 3]; 2],
+    /// ν/(1 − ν), and in [water](crate::water) that cannot leave its pores, whose pressure is one for all of an element, a share of tr σ.
+    pub lacking: [f64; 2],
+    /// N dA in the mean with the point across along the first axis, less that of the point; and along the second \[m²\].
+    pub beside: [f64; 2],
+}
+
+impl End {
+    /// From the stress at the point \[N\].
+    pub fn force(&self, stress: &[f64; 6]) -> [f64; 3] {
+        let End { normal, along, lacking, beside, .. } = self;
+        let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let trace = lacking[1] * (stress[0] + stress[1] + stress[2]);
+        let traction = times(stress, *normal);
+        // In the plane of the face it is Σ t_k along_k.
+        let cosine = dot(&along[0], &along[1]);
+        let [first, second] = along.map(|axis| dot(&axis, &traction));
+        let shear = [first - cosine * second, second - cosine * first].map(|t| t / (1.0 - cosine * cosine));
+        let mut force = [0.0; 3];
+        for ((axis, shear), area) in along.iter().zip(shear).zip(beside) {
+            let out = lacking[0] * dot(axis, &times(stress, *axis)) + trace;
+            (0..3).for_each(|i| force[i] += area * (shear * axis[i] + out * normal[i]));
+        }
+        force
+    }
 }
 
 impl Leader {
@@ -153,25 +196,33 @@ impl Now<'_> {
         u
     }
 
-    /// The tractions \[Pa\] at some points, each with its normal; none of a wave that rises, which has no use for them.
-    pub fn tractions(&self, points: &[[[f64; 3]; 2]]) -> Vec<[f64; 3]> {
+    /// The stresses \[Pa\] at some points; none of a wave that rises, which has no use for them.
+    pub fn stresses(&self, points: impl Iterator<Item = [f64; 3]>) -> Vec<[f64; 6]> {
         match self {
             Now::Rising(_) => Vec::new(),
-            Now::Given(field, time) => {
-                points.iter().map(|&[at, normal]| times(&field.stress(at, *time), normal)).collect()
-            }
+            Now::Given(field, time) => points.map(|at| field.stress(at, *time)).collect(),
         }
     }
 
     /// What the free field pushes with at a place where the dashpots have the matrix C \[N s/m\], beside what they follow \[N\]:
-    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises. `tractions` are those at its points, each with N dA \[m²\].
-    pub fn push(&self, dashpot: &[f64; 6], tractions: impl Iterator<Item = ([f64; 3], f64)>) -> [f64; 3] {
+    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises. `tractions` are those at its points, each with N dA \[m²\],
+    /// `ends` what it takes beside, each with the stress at its point.
+    pub fn push<'a>(
+        &self,
+        dashpot: &[f64; 6],
+        tractions: impl Iterator<Item = ([f64; 3], f64)>,
+        ends: impl Iterator<Item = (&'a End, &'a [f64; 6])>,
+    ) -> [f64; 3] {
         match self {
             Now::Rising(velocity) => times(dashpot, velocity.map(|v| 2.0 * v)),
             Now::Given(..) => {
                 let mut sum = [0.0; 3];
                 for (traction, area) in tractions {
                     (0..3).for_each(|i| sum[i] += area * traction[i]);
+                }
+                for (end, stress) in ends {
+                    let force = end.force(stress);
+                    (0..3).for_each(|i| sum[i] += force[i]);
                 }
                 sum
             }

@@ -5,7 +5,7 @@
 //! ([`crate::engine`]); this part gives the other terms, of which the [free field](crate::free_field) says what bears its index.
 
 use super::matrix::times;
-use crate::free_field::{FreeField, Now, Place};
+use crate::free_field::{End, FreeField, Now, Place};
 use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
 use std::collections::BTreeMap;
 use tremolite_kernels::{Line, Lines};
@@ -46,23 +46,33 @@ pub struct BasePart {
     /// \[m²\].
     points: Vec<[[f64; 3]; 2]>,
     of_node: Vec<Vec<(u32, f64)>>,
+    /// By node what it takes beside, at edges of the model.
+    ends: Vec<Vec<(u32, End)>>,
 }
 
 impl BasePart {
-    pub fn new(pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
+    pub fn new(mut pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
         let (mut points, mut known) = (Vec::new(), BTreeMap::new());
-        let mut share = |&(at, area): &([f64; 3], [f64; 3])| -> (u32, f64) {
-            let size = area.iter().map(|x| x * x).sum::<f64>().sqrt();
-            // A point lies inside one face.
-            let number = *known.entry(at.map(f64::to_bits)).or_insert_with(|| {
-                points.push([at, area.map(|x| x / size)]);
+        let mut number = |at: [f64; 3], normal: [f64; 3]| -> u32 {
+            // The middle of a triangle's edge is one of its neighbour too, which beyond an edge of the model has another normal.
+            let key = (at.map(f64::to_bits), normal.map(|x| (1e3 * x).round() as i64));
+            *known.entry(key).or_insert_with(|| {
+                points.push([at, normal]);
                 points.len() as u32 - 1
-            });
-            (number, size)
+            })
         };
-        let of_node = pushed.iter().map(|base| base.place.shares.iter().map(&mut share).collect()).collect();
+        let (mut of_node, mut ends) = (Vec::new(), Vec::new());
+        for base in &mut pushed {
+            let share = |(at, area): ([f64; 3], [f64; 3])| {
+                let size = area.iter().map(|x| x * x).sum::<f64>().sqrt();
+                (number(at, area.map(|x| x / size)), size)
+            };
+            of_node.push(std::mem::take(&mut base.place.shares).into_iter().map(share).collect());
+            let end = |end: End| (number(end.at, end.normal), end);
+            ends.push(std::mem::take(&mut base.place.ends).into_iter().map(end).collect());
+        }
         let nodes = pushed.iter().map(|b| b.node).collect();
-        BasePart { nodes, pushed, free_field, points, of_node }
+        BasePart { nodes, pushed, free_field, points, of_node, ends }
     }
 }
 
@@ -75,9 +85,10 @@ impl Part for BasePart {
     }
 
     fn bytes(&self) -> usize {
-        let BasePart { nodes, pushed, points, of_node, .. } = self;
-        let shares: usize = of_node.iter().map(|own| size_of_val(&own[..])).sum();
-        size_of_val(&nodes[..]) + size_of_val(&pushed[..]) + size_of_val(&points[..]) + shares
+        let BasePart { nodes, pushed, points, of_node, ends, .. } = self;
+        let shares: usize = of_node.iter().map(|own| size_of_val(own) + size_of_val(&own[..])).sum();
+        let ends: usize = ends.iter().map(|own| size_of_val(own) + size_of_val(&own[..])).sum();
+        size_of_val(&nodes[..]) + size_of_val(&pushed[..]) + size_of_val(&points[..]) + shares + ends
     }
 
     /// The bottoms of the columns whose motion is the free field, from which springs count.
@@ -98,16 +109,19 @@ impl Part for BasePart {
         let now = self.free_field.now(tick.time);
         let pushes = self.free_field.line();
         let mut work = Lines::default();
-        let tractions = now.tractions(&self.points);
+        let stresses = now.stresses(self.points.iter().map(|[at, _]| *at));
+        let tractions: Vec<[f64; 3]> =
+            stresses.iter().zip(&self.points).map(|(stress, [_, normal])| times(stress, *normal)).collect();
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
-        for (((base, points), out), last) in self.pushed.iter().zip(&self.of_node).zip(out).zip(last) {
+        let beside = self.of_node.iter().zip(&self.ends);
+        for (((base, (points, ends)), out), last) in self.pushed.iter().zip(beside).zip(out).zip(last) {
             let du = x.increment(base.node).xyz();
             let scattered = if base.is_sprung() { base.scattered(&now, x.u) } else { [0.0; 3] };
             let spring = times(&base.spring, scattered);
             let before = times(&base.spring, [last[0], last[1], last[2]]);
-            let push = now
-                .push(&base.dashpot, points.iter().map(|&(k, area)| (tractions[k as usize], area)))
-                .map(|f| -f);
+            let points = points.iter().map(|&(k, area)| (tractions[k as usize], area));
+            let ends = ends.iter().map(|(k, end)| (end, &stresses[*k as usize]));
+            let push = now.push(&base.dashpot, points, ends).map(|f| -f);
             for i in 0..3 {
                 work[Line::Springs] += 0.5 * (spring[i] + before[i]) * du[i];
                 work[pushes] += 0.5 * (push[i] + last[3 + i]) * du[i];
@@ -134,5 +148,50 @@ impl Part for BasePart {
         for (base, out) in self.pushed.iter().zip(out) {
             *out = Row::new(times(&base.spring, w[base.node as usize].xyz()));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::free_field::GivenField;
+    use std::sync::Arc;
+
+    struct Pressed;
+
+    impl GivenField for Pressed {
+        fn displacement(&self, _: [f64; 3], _: f64) -> [f64; 3] {
+            [0.0; 3]
+        }
+
+        fn stress(&self, _: [f64; 3], _: f64) -> [f64; 6] {
+            [2.0, 3.0, 5.0, 0.0, 0.0, 0.0]
+        }
+
+        fn peak_velocity(&self) -> f64 {
+            0.0
+        }
+    }
+
+    /// Two triangles share the middle of an edge of the model, each on a side of it.
+    #[test]
+    fn a_point_on_two_sides_has_the_traction_of_each() {
+        let at = [0.5, 0.0, 0.0];
+        let shares = vec![(at, [-1.0, 0.0, 0.0]), (at, [0.0, -1.0, 0.0]), (at, [-1.0, 0.0, 0.0])];
+        let node = BaseNode {
+            node: 0,
+            dashpot: [0.0; 6],
+            spring: [0.0; 6],
+            place: Place { at, shares, ..Place::default() },
+            counted: true,
+        };
+        let part = BasePart::new(vec![node], FreeField::Given(Arc::new(Pressed)));
+        assert_eq!(part.points.len(), 2);
+        let now = part.free_field.now(0.0);
+        let stresses = now.stresses(part.points.iter().map(|[at, _]| *at));
+        let tractions = part.of_node[0]
+            .iter()
+            .map(|&(k, area)| (times(&stresses[k as usize], part.points[k as usize][1]), area));
+        assert_eq!(now.push(&[0.0; 6], tractions, std::iter::empty()), [-4.0, -3.0, 0.0]);
     }
 }

@@ -1,6 +1,7 @@
 //! The nodes of the base in the shaking: what absorbs there and what holds, of the model and of what stands outside its sides.
 
 use super::base::{BaseNode, BasePart};
+use super::face_shares::face_shares;
 use super::far_field::{along_slab, between_corners};
 use super::matrix::add;
 use super::{Base, Side, Surroundings, Top, nodal_matrices};
@@ -13,7 +14,6 @@ use crate::member::{Kind, Member};
 use std::collections::BTreeMap;
 use tremolite_kernels::Line;
 use tremolite_mesh::Face;
-use tremolite_mesh::topology::face_points;
 
 /// Parts of the boundaries, in their order, and what others need to know of them.
 #[derive(Default)]
@@ -122,13 +122,14 @@ fn alone(node: u32, dashpot: [f64; 6]) -> BaseNode {
 /// Gives the nodes of the base their places in a given free field, and adds those of free-field sides and of a viscous top.
 fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
     let Surroundings { mesh, faces, .. } = around;
-    let mut all: Vec<Face> = (0..2)
+    let mut planes: Vec<&Vec<Face>> = (0..2)
         .filter(|&axis| around.asked.sides[axis] == Side::FreeField)
-        .flat_map(|axis| faces.planes[axis].concat())
+        .flat_map(|axis| &faces.planes[axis])
         .collect();
     if around.asked.top == Top::Viscous {
-        all.extend(&faces.planes[2][1]);
+        planes.push(&faces.planes[2][1]);
     }
+    let all: Vec<Face> = planes.iter().flat_map(|faces| faces.iter().copied()).collect();
     let known: BTreeMap<u32, usize> = nodes.iter().map(|node| node.node).zip(0..).collect();
     for (n, dashpot) in nodal_matrices(mesh, &all, |face| around.impedance(face)) {
         let node = around.engine(n);
@@ -137,19 +138,19 @@ fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
             None => nodes.push(BaseNode { counted: true, ..alone(node, dashpot) }),
         }
     }
-    all.extend(&faces.planes[2][0]);
-    let mut shares: BTreeMap<u32, Vec<_>> = BTreeMap::new();
-    for &face in &all {
-        let (corners, points) = face_points(mesh, face);
-        for (k, &n) in corners.iter().enumerate() {
-            let of_node = points.iter().map(|point| (point.at, point.area.map(|a| point.shapes[k] * a)));
-            shares.entry(around.engine(n)).or_default().extend(of_node);
+    planes.push(&faces.planes[2][0]);
+    let mut places: BTreeMap<u32, Place> = BTreeMap::new();
+    for faces in planes {
+        for (n, of_face) in face_shares(mesh, faces, |face| around.lacking(face)) {
+            let place = places.entry(around.engine(n)).or_default();
+            place.shares.extend(of_face.shares);
+            place.ends.extend(of_face.ends);
         }
     }
     let at: BTreeMap<u32, u32> = (0u32..).zip(around.engine_node).map(|(n, &engine)| (engine, n)).collect();
     for node in nodes {
-        let shares = shares.remove(&node.node).unwrap_or_default();
-        node.place = Place { at: mesh.nodes[at[&node.node] as usize], shares, bottoms: Vec::new() };
+        let of_faces = places.remove(&node.node).unwrap_or_default();
+        node.place = Place { at: mesh.nodes[at[&node.node] as usize], ..of_faces };
     }
 }
 

@@ -105,9 +105,11 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
                 let note = "1 % of the largest displacement at twelve elements a shear wave of the highest frequency, by the lag of lumped masses";
                 checks.push(Check::new(NAME, quantity, coarse[0], 0.0, 0.01, "1", note).with_order(most));
             }
-            let note = "edges of the box err by h² ln 1/h where all else errs by h²: ln 12 = 2.5 times";
             let quantity = format!("the same at edges and corners, {of}");
-            checks.push(Check::new(NAME, quantity, coarse[1], 0.0, 0.025, "1", note).with_order(edges));
+            let note = "as off the edges: nodes there take of the traction what elements take up. 2 × 2 points alone leave h² ln 1/h";
+            // What is sent back whole errs more off the edges already.
+            let most = if kind == WaveType::Sv && angle > 50.0 && !ground.damped { 0.02 } else { 0.01 };
+            checks.push(Check::new(NAME, quantity, coarse[1], 0.0, most, "1", note).with_order(edges));
             let note = "order 2 in h of the root mean square of all nodes and times, Δt ∝ h";
             checks.push(Check::new(NAME, format!("order in h of the field's error in the mean, {of}"), p, 2.0, 0.25, "1", note));
         }
@@ -125,8 +127,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
     let [inside, edges, _] = error(&GROUNDS[0], cells, (WaveType::Sv, 0.0, 90.0), 1)?;
     let note = "half of what waves at angles are allowed, which no conversion helps";
     checks.push(Check::new(NAME, "largest error straight up off the edges, in rock", inside, 0.0, 0.005, "1", note));
-    let note = "edges of the box err by h² ln 1/h where all else errs by h²: ln 12 = 2.5 times";
-    checks.push(Check::new(NAME, "the same at edges and corners", edges, 0.0, 0.0125, "1", note));
+    checks.push(Check::new(NAME, "the same at edges and corners", edges, 0.0, 0.005, "1", note));
     if let [coarse, fine] = &found[..] {
         let note = "order 2 in h";
         for (quantity, p) in [
