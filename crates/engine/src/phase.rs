@@ -130,7 +130,7 @@ pub struct Phase {
     pub beats: Vec<Beat>,
     /// Nodes with longer steps than what pushes or reads them, ascending.
     pub borders: Vec<Border>,
-    /// Element of the mesh → its slot; for active elements of the user.
+    /// Element of the mesh → its slot; for active elements of the user. A rank has slots of its own elements alone, where it holds them.
     pub element_slot: Vec<Option<ElementSlot>>,
     /// What of it one rank has, where several work on the model: beats are then that rank's.
     pub ours: Option<Ours>,
@@ -407,6 +407,18 @@ fn sources(assembly: &Assembly, active: &[u32], master: &[u32]) -> (Vec<u32>, Ve
         }
     }
     (start, slot, account)
+}
+
+impl Phase {
+    /// Whether each of the user's elements is there, on this rank or another.
+    pub fn stands(&self, model: &Model, assembly: &Assembly) -> Vec<bool> {
+        let mut stands = vec![false; model.user.elements];
+        let numbers = self.active.iter().filter_map(|&m| assembly.members[m as usize].kind.patch());
+        for patch in numbers.map(|number| &model.patches[number]).filter(|p| p.domain == Domain::Model) {
+            patch.elements.iter().for_each(|&e| stands[e as usize] = true);
+        }
+        stands
+    }
 }
 
 /// Where the results of each of the user's elements lie.

@@ -5,10 +5,12 @@
 //! and where somebody looks or writes, the first rank is [given](Ranks::collect) what all remember for so long.
 
 mod columns;
+mod letter;
 mod tally;
 mod words;
 
 pub use columns::Columns;
+pub use letter::{Arrived, Letter, Marks, Wanted};
 pub use tally::{Tally, Took};
 pub use words::{Tree, Words};
 
@@ -57,6 +59,11 @@ impl Ranks {
     /// Whether it is the one that speaks and writes.
     pub fn is_first(&self) -> bool {
         self.rank() == 0
+    }
+
+    /// Whether what a rank does not have is not a number to it.
+    pub(crate) fn is_poisoned(&self) -> bool {
+        self.poisoned
     }
 
     /// The bits that any rank sets.
@@ -201,45 +208,7 @@ impl Ranks {
         self.pieces(rows, 4, blocks.map(|(rank, block)| (rank, block.nodes.clone())), to);
     }
 
-    /// What members have, each of one rank, member by member, where it is given: `own` has it as this rank holds it, and `unknown` stands for
-    /// what is not wanted. `wanted` says the same on all ranks.
-    pub fn some_members<T: Words + Clone>(
-        &self,
-        assembly: &Assembly,
-        wanted: impl Fn(u32) -> bool,
-        own: &[T],
-        (width, unknown): (usize, T),
-        range: impl Fn(&Slices) -> Range<usize>,
-        to: To,
-    ) -> Vec<T> {
-        let members = || (0u32..).zip(&self.division.of_member).filter(|(m, _)| wanted(*m));
-        let mut counts = vec![0; self.division.ranks as usize];
-        let mut words = Vec::new();
-        for (m, &rank) in members() {
-            counts[rank as usize] += width * range(&assembly.slices[m as usize]).len();
-            if rank == self.rank() {
-                own[range(&assembly.held[m as usize])].iter().for_each(|one| one.put(&mut words));
-            }
-        }
-        let words = self.exchange.gather(&words, &counts, to);
-        if to == To::First && !self.is_first() {
-            return Vec::new();
-        }
-        let mut all = vec![unknown; range(&assembly.totals()).end];
-        let mut at = starts(&counts);
-        for (m, &rank) in members() {
-            let all = &mut all[range(&assembly.slices[m as usize])];
-            let start = &mut at[rank as usize];
-            let end = *start + width * all.len();
-            for (one, words) in all.iter_mut().zip(words[*start..end].chunks_exact(width)) {
-                *one = T::take(words);
-            }
-            *start = end;
-        }
-        all
-    }
-
-    /// The same of all members.
+    /// What members have, each of one rank, member by member, where it is given: `own` has it as this rank holds it.
     pub fn members<T: Words + Clone + Default>(
         &self,
         assembly: &Assembly,
@@ -248,7 +217,31 @@ impl Ranks {
         range: impl Fn(&Slices) -> Range<usize>,
         to: To,
     ) -> Vec<T> {
-        self.some_members(assembly, |_| true, own, (width, T::default()), range, to)
+        let members = || self.division.of_member.iter().enumerate();
+        let mut counts = vec![0; self.division.ranks as usize];
+        let mut words = Vec::new();
+        for (m, &rank) in members() {
+            counts[rank as usize] += width * range(&assembly.slices[m]).len();
+            if rank == self.rank() {
+                own[range(&assembly.held[m])].iter().for_each(|one| one.put(&mut words));
+            }
+        }
+        let words = self.exchange.gather(&words, &counts, to);
+        if to == To::First && !self.is_first() {
+            return Vec::new();
+        }
+        let mut all = vec![T::default(); range(&assembly.totals()).end];
+        let mut at = starts(&counts);
+        for (m, &rank) in members() {
+            let all = &mut all[range(&assembly.slices[m])];
+            let start = &mut at[rank as usize];
+            let end = *start + width * all.len();
+            for (one, words) in all.iter_mut().zip(words[*start..end].chunks_exact(width)) {
+                *one = T::take(words);
+            }
+            *start = end;
+        }
+        all
     }
 
     /// Gives the first rank what members have, member by member, in pieces of so many numbers at most, unless one member has more. `own`

@@ -188,7 +188,7 @@ impl Look {
     /// What the laws of some groups remember, by name, with the unit.
     #[pyo3(signature = (groups = Groups::default()), text_signature = "($self, groups='*')")]
     fn columns<'py>(&self, py: Python<'py>, groups: Groups) -> PyResult<Bound<'py, PyDict>> {
-        let history = History { assembly: &self.scene.assembly, octets: &self.history };
+        let history = History::new(&self.scene.assembly, &self.history);
         let columns = PyDict::new(py);
         for (_, slot) in self.slots(&groups)? {
             for column in history.columns(&slot) {
@@ -202,7 +202,7 @@ impl Look {
     /// column.
     #[pyo3(signature = (groups, name))]
     fn history<'py>(&self, py: Python<'py>, groups: Groups, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let history = History { assembly: &self.scene.assembly, octets: &self.history };
+        let history = History::new(&self.scene.assembly, &self.history);
         let slots = self.slots(&groups)?;
         // Of what is not there yet nothing is remembered.
         let mut found = slots.is_empty();

@@ -5,7 +5,7 @@
 
 use crate::quantities::MEASURES;
 use std::collections::BTreeSet;
-use tremolite_engine::assembly::Assembly;
+use tremolite_engine::assembly::{Assembly, Slices};
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column, Octet, Role};
@@ -19,12 +19,36 @@ pub fn of_elements(phase: &Phase) -> Vec<u32> {
 /// The histories of all parts at one time.
 #[derive(Clone, Copy)]
 pub struct History<'a> {
-    pub assembly: &'a Assembly,
+    assembly: &'a Assembly,
+    /// Where each member's lie.
+    slices: &'a [Slices],
     /// The state's octets, or a copy of them.
     pub octets: &'a [Octet],
 }
 
 impl<'a> History<'a> {
+    /// Of all members.
+    pub fn new(assembly: &'a Assembly, octets: &'a [Octet]) -> Self {
+        History { assembly, slices: &assembly.slices, octets }
+    }
+
+    /// Of those that this rank holds, with slots of its own phase.
+    pub(crate) fn held(assembly: &'a Assembly, octets: &'a [Octet]) -> Self {
+        History { assembly, slices: &assembly.held, octets }
+    }
+
+    /// The same of other octets.
+    pub(crate) fn with<'o>(&self, octets: &'o [Octet]) -> History<'o>
+    where
+        'a: 'o,
+    {
+        History { octets, ..*self }
+    }
+
+    fn elements(&self) -> usize {
+        self.slices.last().map_or(0, |last| last.elements.end)
+    }
+
     /// The columns of the law that an active element is made of.
     pub fn columns(&self, slot: &ElementSlot) -> &'static [Column] {
         self.assembly.members[slot.member as usize].part.columns()
@@ -50,14 +74,14 @@ impl<'a> History<'a> {
 
     /// By element, in the order of members, whether a column of this meaning lies beyond a value at any point: of these members.
     pub fn beyond(&self, members: &[u32], role: Role, value: f64) -> Vec<bool> {
-        let mut marks = vec![false; self.assembly.totals().elements.end];
+        let mut marks = vec![false; self.elements()];
         self.mark_beyond(members, role, value, &mut marks);
         marks
     }
 
     /// Whether any point of an element of these members has cracked or yielded ([`History::is_damaged`]), by element.
     pub fn damaged(&self, members: &[u32]) -> Vec<bool> {
-        let mut marks = vec![false; self.assembly.totals().elements.end];
+        let mut marks = vec![false; self.elements()];
         MEASURES
             .iter()
             .for_each(|measure| self.mark_beyond(members, measure.role, measure.onset, &mut marks));
@@ -69,7 +93,7 @@ impl<'a> History<'a> {
         for &member in members {
             let columns = self.assembly.members[member as usize].part.columns();
             let Some(column) = position(columns, role) else { continue };
-            let slices = &self.assembly.slices[member as usize];
+            let slices = &self.slices[member as usize];
             let own = &mut marks[slices.elements.clone()];
             let points = slices.points.len() / own.len().max(1);
             let octets = &self.octets[slices.history.clone()];
@@ -93,7 +117,7 @@ impl<'a> History<'a> {
 
     /// The octet of an element's first column at its first point, and its place in that: the layout that Part::columns describes.
     fn first(&self, slot: &ElementSlot) -> (usize, usize) {
-        let slices = &self.assembly.slices[slot.member as usize];
+        let slices = &self.slices[slot.member as usize];
         let element = slot.element as usize - slices.elements.start;
         let octets = slot.points as usize * self.columns(slot).len();
         (slices.history.start + element / 8 * octets, element % 8)

@@ -16,7 +16,9 @@ use crate::checkpoint::{self, Among, CheckpointError};
 use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::levels::{levels, longest_step};
-use crate::observers::{Audience, Event, OwnObservers, Setting, forget_own_tables, observers};
+use crate::observers::{
+    Apart, Audience, Event, OwnObservers, Setting, forget_own_tables, observers_among_ranks,
+};
 use crate::plan::{Plan, Steps};
 use shaking::Shaking;
 use std::sync::Arc;
@@ -28,7 +30,7 @@ use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::phase::beats::span;
 use tremolite_engine::ranks::Columns;
-use tremolite_engine::state::State;
+use tremolite_engine::state::{Memory, State};
 use tremolite_engine::{ModelError, Ranks, StableStep, Stage, finer_levels, stable_step};
 use tremolite_results::ResultFolder;
 
@@ -121,7 +123,9 @@ pub struct Simulation {
     /// Of the shaking.
     phase: Arc<Phase>,
     folder: ResultFolder,
-    /// Makers of all observers, and whether what these do not want is not a number to them.
+    /// Makers of observers of which each of several ranks has its own part, and of all others; and whether what these do not want is not a number to
+    /// them.
+    apart: OwnObservers,
     observers: OwnObservers,
     poisoned: bool,
     stable: StableStep,
@@ -190,13 +194,15 @@ impl Simulation {
         }
         let (dt, steps) = choose_step(&model, plan, &stable);
         let fingerprint = fingerprint(&model, &assembly, plan, dt);
+        let [apart, others] = observers_among_ranks();
         let mut simulation = Simulation {
             model,
             assembly,
             plan: Arc::new(plan.clone()),
             phase,
             folder: folder.clone(),
-            observers: observers().into_iter().chain(own).collect(),
+            apart,
+            observers: others.into_iter().chain(own).collect(),
             poisoned: false,
             stable,
             dt,
@@ -252,14 +258,14 @@ impl Simulation {
     /// Takes other observers than the program's and its own.
     #[must_use]
     pub fn observed_by(mut self, observers: OwnObservers) -> Self {
-        self.observers = observers;
+        (self.apart, self.observers) = (Vec::new(), observers);
         self
     }
 
-    /// The observers of a phase, which goes on from a state.
-    fn audience(&self, phase: &Arc<Phase>, state: &State) -> Result<Audience, RunError> {
+    /// What observers of a phase are made from, where the run goes on from a state.
+    fn setting<'s>(&'s self, phase: &'s Arc<Phase>, state: &'s State) -> Setting<'s> {
         let Simulation { folder, model, assembly, plan, .. } = self;
-        let setting = Setting {
+        Setting {
             folder,
             model,
             assembly,
@@ -270,13 +276,33 @@ impl Simulation {
             step: state.steps(),
             time: state.time(),
             dt: self.dt,
+        }
+    }
+
+    /// The observers of a phase, which goes on from a state.
+    fn audience(&self, phase: &Arc<Phase>, state: &State) -> Result<Audience, RunError> {
+        let setting = self.setting(phase, state);
+        let Some(ranks) = &self.ranks else {
+            let all = [&self.apart[..], &self.observers].concat();
+            return Audience::of(&all, &setting, self.poisoned);
         };
-        let Some(ranks) = &self.ranks else { return Audience::of(&self.observers, &setting, self.poisoned) };
         let own = match ranks.is_first() {
             true => Audience::of(&self.observers, &setting, self.poisoned)?,
             false => Audience::default(),
         };
         Ok(own.of_first(ranks))
+    }
+
+    /// A rank's part of those that look at each node and element by itself, with what the state remembers of that; `phase` is what the rank has of the
+    /// shaking. None in one process, where they are among the others.
+    fn observers_apart(&self, phase: &Arc<Phase>, state: &mut State) -> Result<Option<Apart>, RunError> {
+        if self.ranks.is_none() {
+            return Ok(None);
+        }
+        let mut memory = std::mem::take(&mut state.observers);
+        let apart = Apart::of(&self.apart, &self.setting(phase, state), &mut memory);
+        state.observers = memory;
+        apart.map(Some)
     }
 
     /// Whether this process writes files.
@@ -367,10 +393,32 @@ impl Simulation {
     /// Writes a checkpoint, once the tables that it knows the lengths of are on the disk; of several ranks the first does.
     fn keep(&self, state: &mut State) -> Result<(), RunError> {
         self.nodes_whole(state);
+        self.lend(&mut state.observers);
         if self.writes() {
             self.folder.sync()?;
         }
-        Ok(checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint, &self.among_ranks())?)
+        let written =
+            checkpoint::write(&self.folder.checkpoint(), state, self.fingerprint, &self.among_ranks());
+        self.take_back(&mut state.observers);
+        Ok(written?)
+    }
+
+    /// Gives the first rank's memory what observers keep on all ranks.
+    fn lend(&self, memory: &mut Memory) {
+        if let Some((apart, ranks)) = self.apart().zip(self.ranks.as_ref()) {
+            apart.lend(ranks, &self.model, &self.assembly, memory);
+        }
+    }
+
+    /// Takes it out again.
+    fn take_back(&self, memory: &mut Memory) {
+        if let Some(apart) = self.apart() {
+            apart.take_back(memory);
+        }
+    }
+
+    fn apart(&self) -> Option<&Apart> {
+        self.shaking.as_ref()?.apart()
     }
 
     /// Why the run does not go on from its last checkpoint, where that is so.

@@ -251,7 +251,7 @@ impl Specimen<'_> {
                 cycles: rest.cycles,
             });
             if k == self.ways.len() {
-                let history = History { assembly: &assembly, octets: &state.history };
+                let history = History::new(&assembly, &state.history);
                 let damage = (0..model.mesh.elements.len()).map(|e| {
                     let slot = phase.element_slot[e].as_ref()?;
                     let column = history.with_role(slot, Role::TensionDamage)?;

@@ -2,10 +2,12 @@
 
 use super::evaluation::{Forces, Probed};
 use super::{Engine, Snapshot, nodes};
+use crate::assembly::Slices;
 use crate::exchange::To;
 use crate::model::Model;
-use crate::parts::Kept;
+use crate::parts::{ElementEnergy, Kept};
 use crate::phase::Phase;
+use crate::ranks::Wanted;
 use crate::state::{Memory, State};
 use std::sync::Arc;
 use tremolite_laws::Octet;
@@ -77,65 +79,127 @@ pub struct Look {
     pub numbers: Vec<f64>,
 }
 
+/// Room on the first of several ranks for what it is shown, as one process has it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shown {
+    stress: Vec<[f64; 6]>,
+    energy: Vec<ElementEnergy>,
+    pore: Vec<f64>,
+    history: Vec<Octet>,
+    numbers: Vec<f64>,
+}
+
+impl Shown {
+    /// Makes it as long as the columns are; what is in it from before is not a number where it is poisoned.
+    fn lay_out(&mut self, totals: &Slices, wet: bool, poisoned: bool) {
+        fn fit<T: Clone>(all: &mut Vec<T>, length: usize, unknown: T, poisoned: bool) {
+            if poisoned {
+                all.clear();
+            }
+            all.resize(length, unknown);
+        }
+        let nan = f64::NAN;
+        let energy = ElementEnergy { strain: nan, hourglass: nan, dissipated: nan, created: nan, band: nan };
+        fit(&mut self.stress, totals.points.end, [nan; 6], poisoned);
+        fit(&mut self.energy, totals.elements.end, energy, poisoned);
+        fit(&mut self.pore, if wet { totals.elements.end } else { 0 }, nan, poisoned);
+        fit(&mut self.history, totals.history.end, Octet([nan; 8]), poisoned);
+        fit(&mut self.numbers, totals.numbers.end, nan, poisoned);
+    }
+}
+
 impl Engine {
-    /// Evaluates all active parts at a state, and sees what is wished of it. Of several ranks the first alone sees nodes, elements and what parts
-    /// remember; the others of these what is their own, and numbers of the model as a whole.
+    /// Evaluates all active parts at a state, and sees what is wished of it. Of several ranks each sees nodes, elements and what parts remember as
+    /// far as they are its own, where it holds them, until they are [brought together](Engine::bring); numbers of the model as a whole all see.
     pub fn evaluate(&mut self, mut state: State, see: See) -> Evaluated {
         let mut probed =
             (see != See::Nothing).then(|| Probed { glance: see == See::Glance, ..Probed::default() });
         self.evaluate_at(&mut state, probed.as_mut());
-        let mut all = None;
         let snapshot = probed.map(|mut probed| {
             if see == See::Glance {
                 self.soak(&mut probed.stress, &state.kept());
-                self.gather_glanced(&mut probed.stress);
                 let (step, time) = (state.steps(), state.time());
                 let Probed { stress, energy, .. } = probed;
                 return Snapshot { step, time, stress, energy, ..Snapshot::default() };
             }
-            let mut snapshot = self.snapshot(&state, state.kept(), probed);
-            all = self.gather(&mut snapshot, &state.history, &state.numbers);
-            snapshot
+            self.snapshot(&state, state.kept(), probed)
         });
         let (model, phase) = (self.model.clone(), self.phase.clone());
-        Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot, all }
+        Evaluated { model, phase, state, forces: std::mem::take(&mut self.forces), snapshot, all: None }
     }
 
-    /// Brings the stresses of a glance together on the first rank.
-    fn gather_glanced(&self, stress: &mut Vec<[f64; 6]>) {
-        if let Engine { assembly, glanced, ranks: Some(ranks), .. } = self {
-            let only = |m: u32| glanced.contains(&m);
-            let unknown = (6, [f64::NAN; 6]);
-            *stress = ranks.some_members(assembly, only, stress, unknown, |s| s.points.clone(), To::First);
+    /// Brings together on the first rank what is wanted of what was seen by several, once; all else is unknown there.
+    pub fn bring(&mut self, evaluated: &mut Evaluated, wanted: &Wanted) {
+        let Evaluated { state, snapshot: Some(snapshot), all, .. } = evaluated else { return };
+        let mut shown = std::mem::take(&mut self.shown);
+        *all = self.gather(snapshot, (&state.history, &state.numbers), wanted, &mut shown);
+        self.shown = shown;
+    }
+
+    /// Brings velocities \[m/s\] of all nodes together on the first rank, whatever else was brought.
+    pub fn bring_velocities(&self, snapshot: &mut Snapshot) {
+        if let Some(ranks) = &self.ranks {
+            ranks.nodes(&self.model, &mut snapshot.velocity, To::First);
         }
     }
 
-    /// Brings together on the first rank what was seen by several, where there are: histories and numbers of all.
+    /// The same into a snapshot: histories and numbers of members on the first of several ranks.
     fn gather(
         &self,
         snapshot: &mut Snapshot,
-        history: &[Octet],
-        numbers: &[f64],
+        (history, numbers): (&[Octet], &[f64]),
+        wanted: &Wanted,
+        shown: &mut Shown,
     ) -> Option<(Vec<Octet>, Vec<f64>)> {
         let Engine { model, assembly, ranks, .. } = self;
         let ranks = ranks.as_ref()?;
         let Snapshot { displacement, velocity, acceleration, stress, pore, energy, .. } = snapshot;
-        for rows in [displacement, velocity, acceleration] {
-            ranks.nodes(model, rows, To::First);
+        let mut rows = [displacement, velocity, acceleration];
+        // A glance has none. Pressures each rank has some of, or none has.
+        let looked = !rows[0].is_empty();
+        let wet = looked && !model.water.spells.is_empty();
+        let Wanted { blocks, members, histories } = wanted;
+        let mut of_laws = histories.clone();
+        of_laws.join(members);
+        let mut letter = ranks.letter();
+        if looked {
+            rows.iter().for_each(|rows| letter.nodes(model, blocks, rows, 4));
         }
-        *stress = ranks.members(assembly, stress, 6, |s| s.points.clone(), To::First);
-        *energy = ranks.members(assembly, energy, 5, |s| s.elements.clone(), To::First);
-        // Each rank has some of it, or none has.
-        if !model.water.spells.is_empty() {
-            *pore = ranks.members(assembly, pore, 1, |s| s.elements.clone(), To::First);
+        let of = (&**assembly, members);
+        letter.members(of, stress, 6, |s| s.points.clone());
+        letter.members(of, energy, 5, |s| s.elements.clone());
+        if wet {
+            letter.members(of, pore, 1, |s| s.elements.clone());
         }
-        let history = ranks.members(assembly, history, 8, |s| s.history.clone(), To::First);
-        Some((history, ranks.members(assembly, numbers, 1, |s| s.numbers.clone(), To::First)))
+        letter.members((assembly, &of_laws), history, 8, |s| s.history.clone());
+        letter.members(of, numbers, 1, |s| s.numbers.clone());
+        let mut arrived = letter.send()?;
+        shown.lay_out(&assembly.totals(), wet, ranks.is_poisoned());
+        if looked {
+            rows.iter_mut().for_each(|rows| arrived.nodes(model, blocks, rows));
+        }
+        arrived.members(of, &mut shown.stress, 6, |s| s.points.clone());
+        arrived.members(of, &mut shown.energy, 5, |s| s.elements.clone());
+        if wet {
+            arrived.members(of, &mut shown.pore, 1, |s| s.elements.clone());
+        }
+        arrived.members((assembly, &of_laws), &mut shown.history, 8, |s| s.history.clone());
+        arrived.members(of, &mut shown.numbers, 1, |s| s.numbers.clone());
+        let Shown { stress, energy, pore, history, numbers } = std::mem::take(shown);
+        (snapshot.stress, snapshot.energy) = (stress, energy);
+        if wet {
+            snapshot.pore = pore;
+        }
+        Some((history, numbers))
     }
 
     /// Goes on from u^n to u^{n+1}.
     pub fn advance(&mut self, evaluated: Evaluated) -> State {
-        let Evaluated { model, phase, mut state, mut forces, .. } = evaluated;
+        let Evaluated { model, phase, mut state, mut forces, snapshot, all } = evaluated;
+        if let (Some((history, numbers)), Some(snapshot)) = (all, snapshot) {
+            let Snapshot { stress, energy, pore, .. } = snapshot;
+            self.shown = Shown { stress, energy, pore, history, numbers };
+        }
         let Forces { contributions, rates, leads, works } = &mut forces;
         // A given free field is at rest in a quiet run.
         let time = (!self.quiet).then(|| state.time());
@@ -152,19 +216,25 @@ impl Engine {
     /// What is seen at the end of a run: what its parts remember is then that of its displacements, and no step goes on from it.
     pub fn finish(&mut self, state: &mut State) -> Snapshot {
         let mut evaluated = self.evaluate(std::mem::take(state), See::Look);
+        self.bring(&mut evaluated, &Wanted::ALL);
         let snapshot = evaluated.snapshot.take().unwrap_or_default();
         *state = evaluated.state;
         snapshot
     }
 
     /// What is seen at a state, which is left as it is: parts are evaluated on copies of their memory. Of several ranks the first alone sees it
-    /// whole, as in [`Engine::evaluate`].
+    /// whole.
     pub fn look(&mut self, state: &State) -> Look {
+        self.look_at(state, &Wanted::ALL)
+    }
+
+    /// The same, of which no more than is wanted comes to the first of several ranks.
+    pub fn look_at(&mut self, state: &State, wanted: &Wanted) -> Look {
         let mut probed = Probed::default();
         let (history, numbers) = self.evaluate_copies(state, Some(&mut probed));
         let kept = Kept { history: &history, numbers: &numbers, ..state.kept() };
         let mut snapshot = self.snapshot(state, kept, probed);
-        let all = self.gather(&mut snapshot, &history, &numbers);
+        let all = self.gather(&mut snapshot, (&history, &numbers), wanted, &mut Shown::default());
         let (history, numbers) = all.unwrap_or((history, numbers));
         Look { snapshot, history, numbers }
     }

@@ -148,8 +148,9 @@ impl Engine {
         let later: HashMap<u32, u32> =
             self.model.elements.successors.iter().map(|(&later, &of)| (of, later)).collect();
         let phase = self.phase.clone();
+        let stands = phase.stands(&self.model, &self.assembly);
         let standing = |mut element: u32| {
-            while phase.element_slot[element as usize].is_none() {
+            while !stands[element as usize] {
                 element = *later.get(&element)?;
             }
             Some(element)

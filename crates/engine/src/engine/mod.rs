@@ -97,6 +97,8 @@ pub struct Engine {
     poisoned: bool,
     /// Members whose stresses a glance shows.
     glanced: HashSet<u32>,
+    /// Room of the first of several ranks.
+    shown: evaluated::Shown,
     /// The rank that it is, where several work on the model.
     ranks: Option<Arc<Ranks>>,
 }
@@ -110,6 +112,7 @@ impl Engine {
             noise: guard::noise(model, phase),
             poisoned: false,
             glanced: HashSet::new(),
+            shown: Default::default(),
             ranks: None,
             model: model.clone(),
             assembly: assembly.clone(),

@@ -4,7 +4,7 @@
 //! So several ranks move the same node, to the same bits, since each adds up the same contributions in the order of parts; and one
 //! message a step does, of the single contributions that others need. Sums of contributions would not do: they would be other bits.
 
-use super::{Beat, Phase};
+use super::{Beat, ElementSlot, Phase};
 use crate::assembly::Assembly;
 use crate::division::Division;
 use crate::exchange::Halo;
@@ -123,7 +123,10 @@ impl Phase {
         let mut borders = self.borders.clone();
         borders.iter_mut().flat_map(|border| &mut border.pushes).for_each(|push| now(&mut push.slot));
         let ours = Ours { members, holds, blocks, halos, received };
-        Phase { beats, start, slot, slot_account, borders, ours: Some(ours), ..self.clone() }
+        let element_slot =
+            self.element_slot.iter().map(|slot| held(slot.as_ref()?, assembly, division, rank));
+        let element_slot = element_slot.collect();
+        Phase { beats, start, slot, slot_account, borders, element_slot, ours: Some(ours), ..self.clone() }
     }
 
     /// Room for the contributions of all parts; on a rank for its own, for those that it receives, and one that is not a number for all
@@ -206,6 +209,17 @@ impl Phase {
             }
         }
     }
+}
+
+/// Where the results of an element lie on a rank; nothing of another's.
+fn held(slot: &ElementSlot, assembly: &Assembly, division: &Division, rank: u32) -> Option<ElementSlot> {
+    let m = slot.member as usize;
+    let (all, held) = (&assembly.slices[m], &assembly.held[m]);
+    (division.of_member[m] == rank).then(|| ElementSlot {
+        point: slot.point - all.points.start as u32 + held.points.start as u32,
+        element: slot.element - all.elements.start as u32 + held.elements.start as u32,
+        ..*slot
+    })
 }
 
 /// Adds a rank to some, unless it is among them.

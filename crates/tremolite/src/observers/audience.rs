@@ -1,12 +1,13 @@
 //! The observers of a stage or of the shaking, each with what it wants, and how they are told.
 
-use super::observer::{
-    CycleMade, Event, Observer, OwnObservers, Schedule, Setting, Stepped, View, Wants, Which,
-};
+use super::apart::Apart;
+use super::observer::{CycleMade, Event, Observer, OwnObservers, Setting, Stepped, View, Wants, Which};
 use super::unseen::Unseen;
+use super::wishes::{LaidOut, Wishes};
 use crate::error::RunError;
 use tremolite_engine::Ranks;
 use tremolite_engine::engine::Rest;
+use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
 
@@ -16,9 +17,8 @@ pub struct Audience {
     all: Vec<(Box<dyn Observer>, Wants)>,
     /// Whether what an observer does not want is not a number to it.
     poisoned: bool,
-    /// When somebody looks, and engine nodes of whose motion somebody is told in every step; the same on all ranks.
-    looks: Vec<Schedule>,
-    pub steps: Which,
+    /// The same on all ranks.
+    wishes: Wishes,
 }
 
 impl Audience {
@@ -34,42 +34,37 @@ impl Audience {
                 (observer, wants)
             }));
         }
-        let looks = all.iter().filter_map(|(_, wants)| wants.looks).collect();
-        let steps = all.iter().fold(Which::Nothing, |steps, (_, wants)| steps.and(&wants.steps));
-        Ok(Audience { all, poisoned, looks, steps })
+        let wishes = Wishes::of(all.iter().map(|(_, wants)| wants));
+        Ok(Audience { all, poisoned, wishes })
     }
 
     /// What the observers of the first of several ranks want, for all: the others have none.
     #[must_use]
     pub fn of_first(mut self, ranks: &Ranks) -> Self {
-        let number = |count: u64| f64::from_bits(count);
-        let mut words = vec![number(self.looks.len() as u64)];
-        for Schedule { every, last } in &self.looks {
-            words.extend([number(*every), number(u64::from(last.is_some())), number(last.unwrap_or(0))]);
-        }
-        match &self.steps {
-            Which::Nothing => {}
-            Which::Some(nodes) => words.extend(nodes.iter().map(|&n| number(u64::from(n)))),
-            Which::All => words.push(number(ALL)),
-        }
+        let words: Vec<f64> = self.wishes.put().into_iter().map(f64::from_bits).collect();
         let counts: Vec<u64> = ranks.from_first(&words).into_iter().map(f64::to_bits).collect();
-        let Some((&looks, rest)) = counts.split_first() else { return self };
-        let (looks, nodes) = rest.split_at((3 * looks as usize).min(rest.len()));
-        self.looks = looks
-            .chunks_exact(3)
-            .map(|s| Schedule { every: s[0], last: (s[1] > 0).then_some(s[2]) })
-            .collect();
-        self.steps = match nodes {
-            [] => Which::Nothing,
-            [ALL] => Which::All,
-            nodes => Which::Some(nodes.iter().map(|&n| n as u32).collect()),
-        };
+        self.wishes = Wishes::take(&counts).unwrap_or_default();
         self
+    }
+
+    /// Adds that others look who are shown nothing of other ranks.
+    pub fn beside(&mut self, apart: &Apart) {
+        apart.wants().filter_map(|wants| wants.looks).for_each(|schedule| self.wishes.looks_itself(schedule));
     }
 
     /// Whether anybody wants to look at a step.
     pub fn is_due(&self, step: u64) -> bool {
-        self.looks.iter().any(|schedule| schedule.due(step))
+        self.wishes.is_due(step)
+    }
+
+    /// What all want to be shown, in blocks of nodes and members of a phase.
+    pub fn laid_out(&self, model: &Model, phase: &Phase) -> LaidOut {
+        self.wishes.laid_out(model, phase)
+    }
+
+    /// Engine nodes of whose motion somebody is told in every step.
+    pub fn steps(&self) -> &Which {
+        &self.wishes.steps
     }
 
     /// Tells all.
@@ -95,10 +90,19 @@ impl Audience {
     /// # Errors
     /// If a result file cannot be written.
     pub fn look(&mut self, step: u64, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        for (observer, wants) in self.all.iter_mut().filter(|(_, wants)| looks(wants, step)) {
+        let kept: Vec<String> = match self.poisoned {
+            true => self.all.iter().flat_map(|(_, w)| w.keeps.iter().map(|(name, _)| name.clone())).collect(),
+            false => Vec::new(),
+        };
+        for (observer, wants) in self.all.iter_mut().filter(|(_, wants)| wants.look_at(step)) {
             match self.poisoned {
                 false => observer.told(&Event::Look(*view), memory)?,
-                true => observer.told(&Event::Look(Unseen::of(view, wants).view(view)), memory)?,
+                true => {
+                    let reads = wants.reads_kept || !wants.keeps.is_empty();
+                    let hidden = if reads { Memory::new() } else { take(memory, &kept) };
+                    observer.told(&Event::Look(Unseen::of(view, wants).view(view)), memory)?;
+                    memory.extend(hidden);
+                }
             }
         }
         Ok(())
@@ -106,17 +110,12 @@ impl Audience {
 
     /// Whether anybody wants to glance at every step of the coarsest level.
     pub fn glances(&self) -> bool {
-        self.all.iter().any(|(_, wants)| wants.glances)
+        self.wishes.glances()
     }
 
     /// The members that hold the elements which are glanced at.
     pub fn glanced(&self, phase: &Phase) -> Vec<u32> {
-        let glancing = || self.all.iter().filter(|(_, wants)| wants.glances);
-        let seen = |e: &usize| glancing().any(|(_, wants)| wants.elements.has(*e));
-        let slots = phase.element_slot.iter().enumerate().filter(|(e, _)| seen(e));
-        let mut members: Vec<u32> = slots.filter_map(|(_, slot)| Some(slot.as_ref()?.member)).collect();
-        members.dedup();
-        members
+        self.wishes.glanced(phase)
     }
 
     /// Shows a step to those who glance.
@@ -170,9 +169,7 @@ impl Audience {
     }
 }
 
-/// In place of the numbers of nodes: all of them.
-const ALL: u64 = u64::MAX;
-
-fn looks(wants: &Wants, step: u64) -> bool {
-    wants.looks.is_some_and(|schedule| schedule.due(step))
+/// Takes some columns out of a memory.
+fn take(memory: &mut Memory, names: &[String]) -> Memory {
+    names.iter().filter_map(|name| memory.remove_entry(name)).collect()
 }

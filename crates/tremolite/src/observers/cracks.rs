@@ -14,6 +14,7 @@ use tremolite_laws::parameter::position;
 /// an element that has come loose it means nothing.
 pub struct Cracks {
     schedule: Schedule,
+    elements: Which,
     /// Elements whose law knows how wide its cracks are, with the column.
     cells: Vec<(ElementSlot, usize)>,
 }
@@ -25,15 +26,19 @@ impl Cracks {
 
     /// The observer, if a law of the model can crack.
     pub fn new(setting: &Setting) -> Option<Self> {
-        let cell = |slot: &ElementSlot| {
-            let columns = setting.assembly.members[slot.member as usize].part.columns();
-            Some((*slot, position(columns, Role::CrackWidth)?))
+        let column = |slot: &ElementSlot| {
+            position(setting.assembly.members[slot.member as usize].part.columns(), Role::CrackWidth)
+        };
+        let slots = || {
+            let slots = setting.phase.element_slot.iter().enumerate();
+            slots.filter_map(|(e, slot)| slot.and_then(|slot| Some((e, slot, column(&slot)?))))
         };
         let mut bodies = setting.model.user_bodies().iter();
         bodies.any(|body| position(body.material.info().history, Role::CrackWidth).is_some()).then(|| {
             Cracks {
                 schedule: setting.rows(),
-                cells: setting.phase.element_slot.iter().flatten().filter_map(cell).collect(),
+                elements: Which::some(slots().map(|(e, ..)| e)),
+                cells: slots().map(|(_, slot, column)| (slot, column)).collect(),
             }
         })
     }
@@ -41,7 +46,7 @@ impl Cracks {
 
 impl Observer for Cracks {
     fn wants(&self) -> Wants {
-        Wants { elements: Which::All, ..Wants::looks(self.schedule) }
+        Wants { histories: self.elements.clone(), ..Wants::looks(self.schedule) }
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {

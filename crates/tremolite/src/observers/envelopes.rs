@@ -1,6 +1,6 @@
 //! Extremes over time, by node and element.
 
-use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
+use super::observer::{Event, Keeps, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::history::of_elements;
 use crate::point_stress::extremes_beyond;
@@ -36,7 +36,15 @@ fn column<'m>(memory: &'m mut Memory, name: &str, length: usize, start: f64) -> 
 
 impl Observer for Envelopes {
     fn wants(&self) -> Wants {
-        Wants { nodes: Which::All, elements: Which::All, ..Wants::looks(self.schedule) }
+        let elements = [Self::S1, Self::S1_TIME, Self::S3, Self::S3_TIME];
+        let of_elements = elements.map(|name| (name.to_owned(), Keeps::Elements));
+        let keeps = std::iter::once((Self::DISPLACEMENT.to_owned(), Keeps::Nodes)).chain(of_elements);
+        Wants {
+            nodes: Which::All,
+            elements: Which::All,
+            keeps: keeps.collect(),
+            ..Wants::looks(self.schedule)
+        }
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {

@@ -196,7 +196,7 @@ fn groups(model: &Model, active: &[u32]) -> Vec<Array> {
 
 impl Observer for Fields {
     fn wants(&self) -> Wants {
-        Wants { nodes: Which::All, elements: Which::All, ..Wants::looks(self.schedule) }
+        Wants { nodes: Which::All, elements: Which::All, reads_kept: true, ..Wants::looks(self.schedule) }
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {

@@ -105,7 +105,7 @@ fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
 
 impl Observer for Growth {
     fn wants(&self) -> Wants {
-        Wants { elements: self.elements.clone(), ..Wants::looks(self.schedule) }
+        Wants { histories: self.elements.clone(), ..Wants::looks(self.schedule) }
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {

@@ -1,5 +1,6 @@
 //! What looks at a run: what an observer wants to be shown and when is apart from what it does with it.
 
+mod apart;
 mod audience;
 mod bolt_fields;
 mod bolts;
@@ -26,7 +27,9 @@ mod stages;
 mod steps;
 mod unseen;
 mod utilisation;
+mod wishes;
 
+pub(crate) use apart::Apart;
 pub(crate) use audience::Audience;
 pub use bolt_fields::{BoltFields, BoltGrid};
 pub use bolts::{BoltForces, BoltsOfStages, count as bolt_rows};
@@ -43,8 +46,8 @@ pub use growth::Growth;
 pub use histories::Histories;
 pub use interfaces::{InterfaceFields, Interfaces};
 pub use observer::{
-    CycleMade, Event, MakeObserver, Observer, OwnObservers, Schedule, Setting, StageSeen, Stepped, View,
-    Wants, Which,
+    CycleMade, Event, Keeps, MakeObserver, Observer, OwnObservers, Schedule, Setting, StageSeen, Stepped,
+    View, Wants, Which,
 };
 pub use onsets::{Onsets, memory_key as onset_memory};
 pub use own_tables::add_row;
@@ -57,6 +60,7 @@ pub use spectra::Spectra;
 pub use stages::{Beginning, Beside, summaries, uneven};
 pub use steps::{Extremes, StepPeaks};
 pub use utilisation::{Utilisation, strengths};
+pub(crate) use wishes::LaidOut;
 
 use crate::error::RunError;
 use stages::{Begins, BesidePlanes, Relaxation, StageGrids, StageRows};
@@ -82,18 +86,20 @@ const OF_STAGES: &[fn(&Setting) -> Made] = &[
     |s| boxed(Utilisation::new(s)),
 ];
 
-/// Those of the shaking.
+/// Those of the shaking that look at each node and element by itself, of which each of several ranks has its own part. They are told first: others
+/// read what they keep.
+const APART: &[fn(&Setting) -> Made] = &[|s| boxed(Some(Envelopes::new(s))), |s| boxed(Onsets::new(s))];
+
+/// Others of the shaking.
 const OF_SHAKING: &[fn(&Setting) -> Made] = &[
     |s| boxed(Some(Histories::new(s)?)),
     |s| boxed(Some(StepPeaks::new(s))),
     |s| boxed(Some(Energy::new(s)?)),
-    |s| boxed(Some(Envelopes::new(s))),
     |s| boxed(PoreWater::new(s)),
     |s| boxed(FreeField::new(s)?),
     |s| boxed(AtCorners::new(s)?),
     |s| boxed(recorded::AtRecord::new(s)),
     |s| boxed(DepthPeaks::new(s)),
-    |s| boxed(Onsets::new(s)),
     |s| boxed(Cracks::new(s)),
     |s| boxed(Fibres::new(s)),
     // Behind the cracks, whose widths it writes.
@@ -110,15 +116,25 @@ const OF_SHAKING: &[fn(&Setting) -> Made] = &[
     |s| boxed(Spectra::new(s)),
 ];
 
+/// Observers of the shaking that this list makes.
+fn of_shaking(list: &'static [fn(&Setting) -> Made]) -> impl Iterator<Item = Arc<MakeObserver>> {
+    list.iter().map(|&make| -> Arc<MakeObserver> {
+        Arc::new(move |setting: &Setting| if setting.shakes() { make(setting) } else { Ok(None) })
+    })
+}
+
 /// The program's own observers.
 pub fn observers() -> OwnObservers {
+    observers_among_ranks().concat()
+}
+
+/// The same: those of which each of several ranks has its own part, and others.
+pub(crate) fn observers_among_ranks() -> [OwnObservers; 2] {
     let of_stages = OF_STAGES.iter().map(|&make| -> Arc<MakeObserver> {
         Arc::new(move |setting: &Setting| if setting.shakes() { Ok(None) } else { make(setting) })
     });
-    let of_shaking = OF_SHAKING.iter().map(|&make| -> Arc<MakeObserver> {
-        Arc::new(move |setting: &Setting| if setting.shakes() { make(setting) } else { Ok(None) })
-    });
     // Whoever goes on with a run, also without the program that adds to them.
     let own: Arc<MakeObserver> = Arc::new(|setting: &Setting| own_tables::cut_back(setting).map(|()| None));
-    std::iter::once(own).chain(of_stages).chain(of_shaking).collect()
+    let others = std::iter::once(own).chain(of_stages).chain(of_shaking(OF_SHAKING)).collect();
+    [of_shaking(APART).collect(), others]
 }

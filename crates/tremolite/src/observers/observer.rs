@@ -102,13 +102,34 @@ pub struct Wants {
     pub nodes: Which,
     /// Elements of the mesh whose stress, energies and history it sees there.
     pub elements: Which,
+    /// Elements of which it sees the history alone.
+    pub histories: Which,
     /// Members of the assembly of which it sees all that they remember there: pairs, bolts, parts of a program's own.
     pub members: Which,
     /// Engine nodes of whose motion it is told in every step.
     pub steps: Which,
+    /// Columns of its memory that go by what it sees of one node or element alone, and what they have a number of. An observer with such columns
+    /// keeps nothing else and has no files: of several ranks each has its own part of it.
+    pub keeps: Vec<(String, Keeps)>,
+    /// Whether it reads in looks what others keep so.
+    pub reads_kept: bool,
+}
+
+/// What a column of memory has a number of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keeps {
+    /// Each engine node.
+    Nodes,
+    /// Each element, in the order of members.
+    Elements,
 }
 
 impl Wants {
+    /// Whether it looks at a step.
+    pub(super) fn look_at(&self, step: u64) -> bool {
+        self.looks.is_some_and(|schedule| schedule.due(step))
+    }
+
     /// Looks by a schedule at numbers of the model as a whole.
     pub fn looks(schedule: Schedule) -> Self {
         Wants { looks: Some(schedule), ..Wants::default() }

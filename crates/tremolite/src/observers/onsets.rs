@@ -1,6 +1,6 @@
 //! When each element was first damaged or yielded.
 
-use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
+use super::observer::{Event, Keeps, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::history::of_elements;
 use crate::quantities::{MEASURES, Measure};
@@ -36,7 +36,8 @@ impl Onsets {
 
 impl Observer for Onsets {
     fn wants(&self) -> Wants {
-        Wants { elements: Which::All, ..Wants::looks(self.schedule) }
+        let keeps = self.measures.iter().map(|measure| (memory_key(measure), Keeps::Elements)).collect();
+        Wants { histories: Which::All, keeps, ..Wants::looks(self.schedule) }
     }
 
     fn told(&mut self, event: &Event, memory: &mut Memory) -> Result<(), RunError> {

@@ -1,7 +1,6 @@
 //! What an observer did not want is not a number to it: a mode for tests, in which whoever reads what it did not name shows it.
 
 use super::observer::{StageSeen, View, Wants, Which};
-use crate::history::History;
 use tremolite_engine::Snapshot;
 use tremolite_engine::assembly::Slices;
 use tremolite_engine::parts::ElementEnergy;
@@ -85,11 +84,17 @@ impl Unseen {
                 unseen.history[octet].0[lane] = history.octets[octet].0[lane];
             }
         }
+        for (_, slot) in phase.element_slot.iter().enumerate().filter(|(e, _)| wants.histories.has(*e)) {
+            let Some(slot) = slot else { continue };
+            for (octet, lane) in history.places(slot) {
+                unseen.history[octet].0[lane] = history.octets[octet].0[lane];
+            }
+        }
         unseen
     }
 
     pub fn view<'v>(&'v self, view: &View<'v>) -> View<'v> {
-        let history = History { octets: &self.history, ..view.history };
+        let history = view.history.with(&self.history);
         View { snapshot: &self.snapshot, history, numbers: &self.numbers, ..*view }
     }
 

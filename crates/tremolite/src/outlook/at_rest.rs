@@ -49,7 +49,7 @@ pub fn at_rest(
         return None;
     }
     let seen = Engine::new(model, assembly, first).look(&assembly.rest());
-    let history = History { assembly, octets: &seen.history };
+    let history = History::new(assembly, &seen.history);
     let strengths: Vec<Option<f64>> = model.bodies.iter().map(strength).collect();
     let mut found = AtRest::default();
     for (e, slot) in first.element_slot.iter().enumerate() {

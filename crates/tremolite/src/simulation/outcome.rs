@@ -77,6 +77,6 @@ impl Outcome {
 
     /// What laws remember at the end.
     pub fn history<'a>(&'a self, assembly: &'a Assembly) -> History<'a> {
-        History { assembly, octets: &self.state.history }
+        History::new(assembly, &self.state.history)
     }
 }

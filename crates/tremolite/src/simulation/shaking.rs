@@ -6,7 +6,7 @@ use super::{Simulation, Whole};
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;
-use crate::observers::{Audience, Event, Stepped, View, summaries};
+use crate::observers::{Apart, Audience, Event, LaidOut, Stepped, View, summaries};
 use crate::places;
 use crate::transfer_table;
 use std::sync::Arc;
@@ -14,6 +14,7 @@ use std::time::{Duration, Instant};
 use tremolite_engine::engine::{BodyBooks, Evaluated, Look, See, Seen};
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::Phase;
+use tremolite_engine::ranks::Wanted;
 use tremolite_engine::state::State;
 use tremolite_engine::{Bytes, Engine, Halt, Incident, Snapshot};
 use tremolite_kernels::Lines;
@@ -39,6 +40,8 @@ pub enum Stepping {
 pub(super) struct Shaking {
     engine: Engine,
     audience: Audience,
+    /// Of one of several ranks: its part of observers that look at each node and element by itself, and what others want to be shown.
+    apart: Option<(Apart, LaidOut)>,
     followed: Option<Followed>,
     /// The step from which this process went on.
     first: u64,
@@ -49,6 +52,12 @@ pub(super) struct Shaking {
     /// Wall time of the steps, and what of it went into looks.
     spent: Duration,
     looking: Duration,
+}
+
+impl Shaking {
+    pub fn apart(&self) -> Option<&Apart> {
+        self.apart.as_ref().map(|(apart, _)| apart)
+    }
 }
 
 /// The end of a shaking.
@@ -117,13 +126,20 @@ impl Simulation {
             motion_table::write(folder, &incident, Some(&waves.motion), plan.duration)?;
         }
         engine.own(state);
-        let audience = self.audience(&self.phase, &self.state)?;
+        let mut state = std::mem::take(&mut self.state);
+        let apart = self.observers_apart(engine.phase(), &mut state);
+        self.state = state;
+        let apart = apart?;
+        let mut audience = self.audience(&self.phase, &self.state)?;
+        apart.iter().for_each(|apart| audience.beside(apart));
+        let apart = apart.map(|apart| (apart, audience.laid_out(&self.model, &self.phase)));
         engine.glance_at(audience.glanced(&self.phase));
         let ranks = self.ranks.as_ref();
-        let followed = ranks.and_then(|ranks| Followed::of(&self.model, ranks, &audience.steps));
+        let followed = ranks.and_then(|ranks| Followed::of(&self.model, ranks, audience.steps()));
         Ok(Shaking {
             engine,
             audience,
+            apart,
             followed,
             first,
             balance: Lines::default(),
@@ -154,8 +170,8 @@ impl Simulation {
         if let Some(halt) = halt {
             return Ok(self.fail(shaking, evaluated, halt));
         }
-        if let Some(seen) = evaluated.seen() {
-            let told = self.show(shaking, seen, see == See::Look);
+        if see != See::Nothing {
+            let told = self.show(shaking, &mut evaluated, see == See::Look);
             shaking.looking += begin.elapsed();
             if let Err(error) = told {
                 self.end(shaking, evaluated, None);
@@ -202,21 +218,45 @@ impl Simulation {
     }
 
     /// Shows observers what is due: a whole look, which those who glance see as well, or a glance.
-    fn show(&self, shaking: &mut Shaking, seen: Seen, whole: bool) -> Result<(), RunError> {
+    fn show(&self, shaking: &mut Shaking, evaluated: &mut Evaluated, whole: bool) -> Result<(), RunError> {
         let Simulation { model, assembly, phase, plan, .. } = self;
-        let Seen { snapshot, history, numbers, memory } = seen;
-        let history = History { assembly, octets: history };
+        let mut lent = None;
+        if let Some((apart, wants)) = &mut shaking.apart {
+            let step = evaluated.state().steps();
+            if whole && let Some(Seen { snapshot, history, numbers, .. }) = evaluated.seen() {
+                let (phase, history) = (shaking.engine.phase(), History::held(assembly, history));
+                apart.look(step, &View { model, assembly, phase, plan, snapshot, history, numbers })?;
+            }
+            let wanted = match (whole, step >= self.steps.total) {
+                (false, _) => wants.glances().clone(),
+                (true, false) => wants.at(step),
+                // What is looked at once all is done.
+                (true, true) => Wanted::ALL,
+            };
+            shaking.engine.bring(evaluated, &wanted);
+            lent = (whole && wants.reads_kept(step)).then_some(&*apart).zip(self.ranks.as_ref());
+        }
+        let Some(Seen { snapshot, history, numbers, memory }) = evaluated.seen() else { return Ok(()) };
+        if let Some((apart, ranks)) = lent {
+            apart.lend(ranks, model, assembly, memory);
+        }
+        let history = History::new(assembly, history);
         let view = View { model, assembly, phase, plan, snapshot, history, numbers };
         if whole {
             shaking.balance = snapshot.balance;
             shaking.bodies.clone_from(&snapshot.bodies);
             shaking.audience.look(snapshot.step, &view, memory)?;
         }
+        if let Some((apart, _)) = lent {
+            apart.take_back(memory);
+        }
         shaking.audience.glance(&view, memory)
     }
 
     /// Ends where the guard found energy.
     fn fail(&mut self, shaking: &mut Shaking, evaluated: Evaluated, halt: Halt) -> Stepping {
+        let mut evaluated = evaluated;
+        shaking.engine.bring(&mut evaluated, &Wanted::ALL);
         let place = match evaluated.snapshot() {
             Some(seen) => hottest_element(&self.model, &self.phase, seen),
             None => said!("no element"),
@@ -282,8 +322,10 @@ impl Simulation {
                 Some(End { how: None, .. }) => return Err(RunError::Spoiled(self.state.steps())),
                 None => {}
             }
-            let seen = shaking.engine.look(&self.state).snapshot;
+            // The guard asks for numbers of the model as a whole alone.
+            let mut seen = shaking.engine.look_at(&self.state, &Wanted::default()).snapshot;
             if let Err(halt) = shaking.engine.guard(&seen) {
+                shaking.engine.bring_velocities(&mut seen);
                 return Ok(Some((halt, hottest_element(&self.model, &self.phase, &seen))));
             }
         }
@@ -314,6 +356,9 @@ impl Simulation {
             }
         }
         let time = self.time();
+        let mut memory = std::mem::take(&mut self.state.observers);
+        self.lend(&mut memory);
+        self.state.observers = memory;
         if let Some(shaking) = &mut self.shaking {
             shaking.audience.tell(&Event::End { time }, &mut self.state.observers)?;
         }

@@ -127,7 +127,7 @@ impl Simulation {
         let own = self.whole(state);
         let mut memory = std::mem::take(&mut state.observers);
         let Simulation { model, assembly, plan, .. } = self;
-        let history = History { assembly, octets: &state.history };
+        let history = History::new(assembly, &state.history);
         let view =
             View { model, assembly, phase, plan, snapshot: &snapshot, history, numbers: &state.numbers };
         let State { u, start, du: last, reference, .. } = &*state;

@@ -62,7 +62,7 @@ fn every_column_of_every_point_is_found_in_both_quadratures_and_padded_octets() 
         engine.step(&mut state);
     }
     let snapshot = engine.finish(&mut state);
-    let history = History { assembly: &ready.assembly, octets: &state.history };
+    let history = History::new(&ready.assembly, &state.history);
     let most = snapshot.stress.iter().flatten().fold(0.0_f64, |m, s| m.max(s.abs()));
     let mut points = [0, 0];
     for slot in ready.phase.element_slot.iter().flatten() {

@@ -159,16 +159,17 @@ fn changed(
 
 /// Kinds of things that are wanted, and whether one of them is left out at either end of the list, or else all of the kind.
 type Kind = (&'static str, fn(&mut Wants) -> &mut Which, bool);
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 5] = [
     ("nodes", |wants| &mut wants.nodes, true),
     ("elements", |wants| &mut wants.elements, false),
+    ("histories", |wants| &mut wants.histories, false),
     ("members", |wants| &mut wants.members, false),
     ("nodes of steps", |wants| &mut wants.steps, true),
 ];
 
 /// How many of each kind an observer of a list wants at most in any stage or the shaking.
-fn wanted(ready: &Ready, plan: &Plan) -> Vec<[usize; 4]> {
-    let most = Arc::new(Mutex::new(vec![[0; 4]; observers().len()]));
+fn wanted(ready: &Ready, plan: &Plan) -> Vec<[usize; 5]> {
+    let most = Arc::new(Mutex::new(vec![[0; 5]; observers().len()]));
     let recorded = (0..observers().len()).fold(observers(), |makers, which| {
         let most = most.clone();
         changed(makers, which, move |mut wants| {
@@ -191,6 +192,7 @@ fn wanted(ready: &Ready, plan: &Plan) -> Vec<[usize; 4]> {
 fn what_observers_want_is_all_that_they_see_and_none_does_without_what_it_wants() {
     // What was left out, and whether any run showed it.
     let mut tried: BTreeMap<(usize, &str, bool), bool> = BTreeMap::new();
+    let mut reads = false;
     for (what, (problem, plan)) in [("hall", hall()), ("joint", joint()), ("pit", pit())] {
         let ready = Ready::new(problem);
         let whole = run(&ready, &plan, observers(), false);
@@ -200,6 +202,11 @@ fn what_observers_want_is_all_that_they_see_and_none_does_without_what_it_wants(
         }
         assert!(whole.1 == poisoned.1, "{what}: something is remembered that nobody named");
         for (which, counts) in wanted(&ready, &plan).into_iter().enumerate() {
+            let unread = |wants| Wants { reads_kept: false, ..wants };
+            // Fields are among those who see all.
+            if !reads && counts[..2] == [usize::MAX; 2] {
+                reads = run(&ready, &plan, changed(observers(), which, unread), true) != whole;
+            }
             for ((kind, of, one), count) in KINDS.into_iter().zip(counts) {
                 let ends: &[bool] = match count {
                     0 => &[],
@@ -229,6 +236,7 @@ fn what_observers_want_is_all_that_they_see_and_none_does_without_what_it_wants(
             }
         }
     }
+    assert!(reads, "who reads what others keep does without saying so");
     let without: Vec<_> = tried.iter().filter(|(_, shown)| !**shown).map(|(what, _)| what).collect();
     assert!(without.is_empty(), "these do without what they want: {without:?}");
     assert!(tried.len() > 30, "{}", tried.len());

@@ -3,7 +3,7 @@
 use crate::block::{block, pulse};
 use crate::bolts_bits;
 use crate::contact::{BANDIS, between, jointed};
-use crate::damage::concrete;
+use crate::damage::{concrete, hall_of};
 use crate::outside_part::on_springs;
 use crate::poison::OneSided;
 use crate::ready::Ready;
@@ -22,6 +22,7 @@ use tremolite::ranks::Took;
 use tremolite::simulation::{Built, Cycle, Ending, Go, Simulation, StageEnd, Start, Stepping};
 use tremolite::stages::PlannedStage;
 use tremolite::state::Memory;
+use tremolite::strength::JudgedBy;
 use tremolite::{
     Base, Division, Incident, Life, Loopback, Member, Prescribed, Problem, Quadrature, Ranks, RunError, Side,
     Stage,
@@ -29,6 +30,7 @@ use tremolite::{
 use tremolite_laws::Isa;
 use tremolite_mesh::locate::Locator;
 use tremolite_results::{PageWish, ResultFolder};
+use tremolite_sections::{Code, Grade, Rule};
 
 /// Stages that need not come near to rest, and a short pulse.
 pub fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
@@ -406,6 +408,29 @@ fn levels_of_steps_exchange_what_their_step_moves() {
     problem.patch_elements = Some(32);
     let plan = plan(&problem, &[], 0.01);
     Case::of(Ready::new(problem).levelled(upwards), plan).holds("levels through joints", &SOME[..2]);
+}
+
+/// Who judges sections glances at every step at linings, whose elements and bars are on several ranks.
+#[test]
+fn judged_sections_see_in_every_step_what_other_ranks_have() {
+    let mut problem = shaken(hall_of(0.6e6, "effective"));
+    problem.patch_elements = Some(4);
+    let mut case = Case::new(problem, &[], 0.012);
+    let elements = case.built.model.mesh.groups["hall.lining"].clone();
+    let rule = Rule {
+        code: Code::En,
+        grade: Grade::of(Code::En, "C30/37").unwrap(),
+        concrete_factor: 1.5,
+        steel_factor: 1.15,
+        compression_factor: 0.8,
+        tension_factor: 0.8,
+        resistance_factor: 1.0,
+        tension: true,
+    };
+    let (code, grade) = ("en".into(), "C30/37".into());
+    case.plan.sections = vec![JudgedBy { elements, code, grade, rule, dynamic: 1.0, bar_diameter: None }];
+    assert!(case.alone().0.contains_key(Path::new("utilisation.csv")), "some sections are judged");
+    case.holds("judged sections", &SOME);
 }
 
 /// Follows two nodes in every step, and remembers the sum of what it is told.

@@ -139,7 +139,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         phase: &phase,
         plan: &plan,
         snapshot: &snapshot,
-        history: History { assembly: &assembly, octets: &state.history },
+        history: History::new(&assembly, &state.history),
         numbers: &state.numbers,
     };
     let sections = SectionForces::of(&model);

@@ -217,7 +217,7 @@ fn open(quadrature: Quadrature, dilation: f64, n: u32) -> Result<Opened, VerifyE
         engine.step(&mut state);
     }
     let snapshot = engine.finish(&mut state);
-    let history = History { assembly: &simulation.assembly, octets: &state.history };
+    let history = History::new(&simulation.assembly, &state.history);
 
     let inwards: Vec<f64> = wall
         .iter()

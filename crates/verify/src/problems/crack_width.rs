@@ -108,7 +108,7 @@ fn widths(quadrature: Quadrature, thick: u32, axes: [usize; 2]) -> Result<Vec<f6
         }
     }
     engine.look(&state);
-    let history = History { assembly: &simulation.assembly, octets: &state.history };
+    let history = History::new(&simulation.assembly, &state.history);
     let widest = |slot| {
         let column = history.with_role(slot, Role::CrackWidth)?;
         Some(history.values(slot, column).fold(0.0, f64::max))

@@ -146,7 +146,7 @@ fn open(
     let opened = Rested::new(problem, &[release(1.0), release(1.0)])?;
 
     let [mean, most, least] = rings.inwards(&opened, WALL);
-    let history = History { assembly: &opened.assembly, octets: &opened.state.history };
+    let history = History::new(&opened.assembly, &opened.state.history);
     let mut plastic = 0.0_f64;
     for &element in &rock {
         let Some(slot) = opened.phase.element_slot[element as usize] else { continue };

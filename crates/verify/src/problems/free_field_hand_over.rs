@@ -126,7 +126,7 @@ fn sides(model: &Model, assembly: &Assembly, state: &State) -> Sides {
 
 /// How many points of rock have yielded.
 fn yielded(assembly: &Assembly, phase: &Phase, state: &State) -> f64 {
-    let history = History { assembly, octets: &state.history };
+    let history = History::new(assembly, &state.history);
     let slots = phase.element_slot.iter().flatten();
     let values = slots.filter_map(|slot| Some(history.values(slot, history.with_role(slot, Role::PlasticShear)?)));
     values.flatten().filter(|&strain| strain > 0.0).count() as f64

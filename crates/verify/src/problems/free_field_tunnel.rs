@@ -174,7 +174,7 @@ fn shake(makeup: Makeup, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
     }
     engine.finish(&mut state);
     let Simulation { model, assembly, phase, .. } = &simulation;
-    let history = History { assembly, octets: &state.history };
+    let history = History::new(assembly, &state.history);
     let of = |body: usize, role: Role| {
         let slots = model.bodies[body].elements.iter().filter_map(|&e| phase.element_slot[e as usize]);
         let values = |slot: ElementSlot| {

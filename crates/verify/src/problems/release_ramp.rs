@@ -199,7 +199,7 @@ fn excavate(cohesion: Option<f64>, works: Works, cycles: u64) -> Result<Outcome,
     let wall: Vec<u32> = (0..nodes.len() as u32).filter(|&n| wall(&nodes[n as usize])).collect();
     let lengths = wall.iter().map(|&n| rested.shown(n).iter().map(|u| u * u).sum::<f64>().sqrt());
     let motion = lengths.sum::<f64>() / wall.len() as f64;
-    let history = History { assembly: &rested.assembly, octets: &rested.state.history };
+    let history = History::new(&rested.assembly, &rested.state.history);
     let sum = |elements: &[u32], role: Role| {
         let (mut sum, mut all) = (0.0, 0.0);
         for &e in elements {

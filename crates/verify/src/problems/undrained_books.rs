@@ -294,7 +294,7 @@ impl LawBooks {
     }
 
     fn points(assembly: &Assembly, phase: &Phase, look: &Look) -> Vec<[[f64; 6]; 2]> {
-        let history = History { assembly, octets: &look.history };
+        let history = History::new(assembly, &look.history);
         let mut all = vec![[[0.0; 6]; 2]; look.snapshot.stress.len()];
         for slot in phase.element_slot.iter().flatten() {
             let Some(first) = history.with_role(slot, Role::PlasticStrain) else { continue };
