@@ -107,8 +107,9 @@ fn widths(quadrature: Quadrature, thick: u32, axes: [usize; 2]) -> Result<Vec<f6
             engine.step(&mut state);
         }
     }
-    engine.look(&state);
-    let history = History::new(&simulation.assembly, &state.history);
+    // Widths are found where somebody looks, and a look leaves the state as it is.
+    let seen = engine.look(&state);
+    let history = History::new(&simulation.assembly, &seen.history);
     let widest = |slot| {
         let column = history.with_role(slot, Role::CrackWidth)?;
         Some(history.values(slot, column).fold(0.0, f64::max))
