@@ -68,10 +68,14 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
             let quantity = format!("order of the wall's motion, elastic, α = {alpha}, {word}");
             checks.push(Check::new(NAME, quantity, p, 2.0, 0.4, "1", note).with_order(p));
         }
-        let found = open(quadrature, Some((1.0, Pressure::Found)), false, 16)?.wall / elastic(1.0);
-        let note = "1 %, as with the exact flow: heads err by 0.02 % on this mesh";
+        let opened = open(quadrature, Some((1.0, Pressure::Found)), false, 16)?;
+        let note = "1 %, as with the exact flow";
         let quantity = format!("wall's motion over exact, elastic, α = 1, with the flow found, {word}");
-        checks.push(Check::new(NAME, quantity, found, 1.0, 0.01, "1", note));
+        checks.push(Check::new(NAME, quantity, opened.wall / elastic(1.0), 1.0, 0.01, "1", note));
+        // The wall's motion hardly feels a flow that is wrong in one direction.
+        let note = "on rings that grow in proportion nodes are exact; a conductivity 30 % less in one direction gives 3.3 %";
+        let quantity = format!("largest error of the pressure found over p₀, n = 16, {word}");
+        checks.push(Check::new(NAME, quantity, opened.off, 0.0, 1e-9, "1", note));
         // Of several points the even motion is lost on finer meshes, without dilation, with water or without.
         let around = if quadrature == Quadrature::Full { 32 } else { 48 };
         for (water, [wall, radius], what) in [(Some((1.0, Pressure::Exact)), PLASTIC, "wet"), (None, DRY, "dry")] {
@@ -173,6 +177,8 @@ struct Opened {
     wall: f64,
     /// Outer radius of the elements that yielded \[m\].
     plastic: f64,
+    /// Largest difference from p of the steady flow at a node, over p₀; 0 where that is what is given.
+    off: f64,
 }
 
 /// Excavates with `around` elements around the quarter, in rock with α and water of that pressure, or without.
@@ -207,6 +213,7 @@ fn open(quadrature: Quadrature, water: Option<(f64, Pressure)>, yields: bool, ar
     problem.tractions = [UNTIL_CHANGE, SINCE_CHANGE]
         .map(|life| Traction { name: "outer".into(), faces: rings.edge(|_| stress), life })
         .into();
+    let mut off = 0.0_f64;
     if let Some((alpha, pressure)) = water {
         let mut biot = vec![alpha; count];
         biot[apart as usize] = 0.0;
@@ -214,6 +221,12 @@ fn open(quadrature: Quadrature, water: Option<(f64, Pressure)>, yields: bool, ar
             Pressure::Exact => None,
             Pressure::Found => Some(found(&problem.mesh, &rock)?),
         };
+        if let Some(found) = &found {
+            let nodes = rock.iter().flat_map(|&e| hex_nodes(&problem.mesh, e as usize));
+            off = nodes.map(|n| n as usize).fold(0.0, |most, n| {
+                most.max((found[n] - flow(problem.mesh.nodes[n])).abs() / WATER)
+            });
+        }
         problem.water = Water { biot, spells: spells(&problem.mesh, apart, found), ..Water::default() };
     }
     let opened = Rested::new(problem, &[release(1.0), release(1.0)])?;
@@ -229,7 +242,7 @@ fn open(quadrature: Quadrature, water: Option<(f64, Pressure)>, yields: bool, ar
             plastic = plastic.max(x[0].hypot(x[2]) * half);
         }
     }
-    Ok(Opened { wall, plastic })
+    Ok(Opened { wall, plastic, off })
 }
 
 #[cfg(test)]
