@@ -15,7 +15,7 @@ pub struct Point<L> {
     /// was, this step included.
     pub brings: bool,
     pub since: L,
-    /// Whether somebody looks at this instant: columns that nothing but results reads ([`Role::CrackWidth`](crate::Role::CrackWidth))
+    /// Whether somebody looks at this instant: columns that nothing but results reads ([`Role::CrackWidth`])
     /// are found then alone, and keep what they were in other steps.
     pub looked_at: bool,
     /// Size tensor of the element \[m²\], G = ½ Σ (x − x̄)⊗(x − x̄) over its corners, in the axes of the strain
