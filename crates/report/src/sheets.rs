@@ -219,6 +219,12 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
             "An elastic lining does not crack and so sheds no force: what it carries beyond its strength a real one could not."
         ));
     }
+    if source.shakes() {
+        all.push(say!(
+            language,
+            "Peaks of monitors and of cracks are those of the output rows; sections are judged in every step."
+        ));
+    }
     if summary.parts.sections.is_empty() {
         all.push(say!(
             language,

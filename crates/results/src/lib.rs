@@ -95,9 +95,9 @@ pub use slice::{Corner, Piece, Slice};
 pub use stages::{StageSeepage, StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
-    CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, Input, ModelFacts, MonitorFacts, MotionFacts,
-    PageWish, PartFacts, RunFacts, SoilLayer, Soundness, Status, Summary, Synchrony, TargetSpectrum, Wave,
-    WavePart,
+    CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, InitialStress, Input, ModelFacts, MonitorFacts,
+    MotionFacts, PageWish, PartFacts, RunFacts, SoilLayer, Soundness, Status, Summary, Synchrony,
+    TargetSpectrum, Wave, WavePart,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::Table;

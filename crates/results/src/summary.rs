@@ -14,7 +14,9 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 pub use case::{CaseFacts, Defaulted, Input, PageWish};
-pub use computed::{Computed, Deconvolved, ModelFacts, MotionFacts, RunFacts, SoilLayer, TargetSpectrum};
+pub use computed::{
+    Computed, Deconvolved, InitialStress, ModelFacts, MotionFacts, RunFacts, SoilLayer, TargetSpectrum,
+};
 pub use conclusion::{Conclusion, Status};
 pub use monitors::{MonitorFacts, Synchrony};
 pub use parts::PartFacts;

@@ -8,7 +8,7 @@ mod stress;
 
 pub use at_rest::{AtRest, Wall};
 pub use pieces::{Hold, Piece};
-pub use stress::{StressAt, stress_at_start};
+pub use stress::{MIDDLE, StressAt, stress_at_start};
 
 use crate::plan::Plan;
 use at_rest::at_rest;

@@ -5,6 +5,7 @@ use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
 use crate::observers::{BoltForces, Extremes, strengths};
 use crate::outcome::run_in_words;
+use crate::outlook::{MIDDLE, stress_at_start};
 use crate::plan::Plan;
 use crate::setup::{CarriedFacts, MotionFacts, SoilFacts, WaveFacts};
 use crate::simulation::Ending;
@@ -17,9 +18,9 @@ use indexmap::IndexMap;
 use tremolite_engine::Model;
 use tremolite_engine::column::corner_name;
 use tremolite_results::{
-    BoltSummary, CaseFacts, Computed, Conclusion, Deconvolved, Finding, ModelFacts, MonitorFacts,
-    MotionFacts as MotionSummary, PartFacts, SoilLayer, Soundness, Status, Summary, Wave, WavePart,
-    peaks_by_monitor,
+    BoltSummary, CaseFacts, Computed, Conclusion, Deconvolved, Finding, InitialStress, ModelFacts,
+    MonitorFacts, MotionFacts as MotionSummary, PartFacts, SoilLayer, Soundness, Status, Summary, Wave,
+    WavePart, peaks_by_monitor,
 };
 
 /// Where the water's pressure comes from, and what becomes of it in the earthquake.
@@ -133,6 +134,9 @@ pub fn summary(evidence: Evidence) -> Summary {
                 lead: motion.lead,
             }),
             boundaries: plan.boundaries.clone(),
+            initial_stress: stress_at_start(model)
+                .get(MIDDLE)
+                .map(|found| InitialStress { at: found.at, stress: found.stress }),
             water: water(model, plan),
             run: evidence.run,
             stages: outcome.stages.clone(),

@@ -220,4 +220,22 @@ pub const TEXTS: Texts = &[
     ("Material {name}", "材料 {name}"),
     ("{values}; damping:", "{values}；阻尼："),
     ("; a cross-check, since this lining can crack", "；该衬砌可开裂，仅作复核"),
+    ("Initial stress", "初始地应力"),
+    (
+        "{vertical} vertical, {x} along x ({kx} of it), {y} along y ({ky}), in compression",
+        "竖向 {vertical}，沿 x {x}（侧压力系数 {kx}），沿 y {y}（{ky}），以压为正",
+    ),
+    ("at ({x}, {y}, {z}) m", "位于 ({x}, {y}, {z}) m"),
+    ("an excavation lets go {share} of what is held", "每次开挖释放 {share} 的约束力"),
+    ("excavations let go {least} to {most} of what is held", "各次开挖释放 {least} 至 {most} 的约束力"),
+    ("Thickness of linings", "衬砌厚度"),
+    ("{lining} {least} to {most}\u{a0}m", "{lining} {least} 至 {most}\u{a0}m"),
+    (
+        "outwards: N in compression, Q positive; M on the side that it stretches",
+        "轴压力、正剪力绘于外侧；弯矩绘于受拉侧",
+    ),
+    (
+        "Peaks of monitors and of cracks are those of the output rows; sections are judged in every step.",
+        "监测点和裂缝的最大值取自输出时刻；断面复核逐步进行。",
+    ),
 ];

@@ -21,6 +21,7 @@ pub enum Pen {
     /// A line of many that lie close.
     Thin,
     Dashed,
+    Dotted,
     /// A line with its points.
     Marked,
     Dots,
@@ -108,8 +109,12 @@ pub fn draw(svg: &mut Svg, axes: &Axes, curves: &[PlotCurve]) {
 }
 
 fn stroke(svg: &mut Svg, curve: &PlotCurve, width: f64, lines: &[Vec<(f64, f64)>]) {
-    let dashed = if curve.pen == Pen::Dashed { LINES.len() } else { 0 };
-    svg.lines(curve.colour % LINES.len() + dashed, width, lines);
+    let dashes = match curve.pen {
+        Pen::Dashed => 1,
+        Pen::Dotted => 2,
+        _ => 0,
+    };
+    svg.lines(curve.colour % LINES.len() + dashes * LINES.len(), width, lines);
 }
 
 /// An axis of stages: their names where there is room for all, else their numbers.

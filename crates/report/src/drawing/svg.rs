@@ -4,6 +4,10 @@ use std::fmt::{Display, Write};
 
 /// Colours of the lines, told apart by people with any of the common colour blindnesses (Okabe & Ito 2008).
 pub const LINES: [&str; 7] = ["#0072B2", "#D55E00", "#009E73", "#333333", "#CC79A7", "#E69F00", "#56B4E9"];
+/// Of more dots than this larger ones would hide each other.
+const MANY: usize = 200;
+/// Strokes that are told apart without colours: whole, dashed, dotted.
+const DASHES: [&str; 3] = ["", " stroke-dasharray=\"6 3\"", " stroke-dasharray=\"1.5 3\""];
 /// Text.
 const INK: &str = "#1f2933";
 /// Text of lesser weight.
@@ -96,7 +100,7 @@ impl Svg {
     /// Polylines in the colour `colour`; from the eighth colour on the colours return, dashed.
     pub fn lines(&mut self, colour: usize, width: f64, lines: &[Vec<(f64, f64)>]) {
         let k = colour % LINES.len();
-        let dash = if colour < LINES.len() { "" } else { " stroke-dasharray=\"6 3\"" };
+        let dash = DASHES[(colour / LINES.len()).min(DASHES.len() - 1)];
         self.put(format_args!(
             "<path class=\"s{k}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{dash} d=\"",
             LINES[k],
@@ -119,11 +123,12 @@ impl Svg {
         ));
     }
 
-    /// Small dots in the colour of a line.
+    /// Dots in the colour of a line, smaller where they are many.
     pub fn dots(&mut self, colour: usize, points: &[(f64, f64)]) {
         let k = colour % LINES.len();
+        let size = if points.len() > MANY { 3.4 } else { 5.5 };
         self.put(format_args!(
-            "<path class=\"s{k}\" fill=\"none\" stroke=\"{}\" stroke-width=\"3.4\" stroke-linecap=\"round\" d=\"",
+            "<path class=\"s{k}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{size}\" stroke-linecap=\"round\" d=\"",
             LINES[k]
         ));
         for (x, y) in points {

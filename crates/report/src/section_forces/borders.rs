@@ -14,6 +14,7 @@ use crate::section_forces::stations::KILO;
 
 /// Colours of the lines, and of the points after the stages and in the shaking.
 const LINES: [usize; 3] = [1, 2, 4];
+const PENS: [Pen; 3] = [Pen::Curve, Pen::Dashed, Pen::Dotted];
 const AFTER: usize = 3;
 const SHAKEN: usize = 6;
 
@@ -41,7 +42,7 @@ pub fn figure(
         return None;
     }
     let mut curves: Vec<PlotCurve> =
-        of.borders.iter().zip(LINES).map(|(b, colour)| line(language, b, colour)).collect();
+        of.borders.iter().zip(LINES.into_iter().zip(PENS)).map(|(b, of)| line(language, b, of)).collect();
     if !shaken.is_empty() {
         let name = say!(language, "each station at its largest utilisation");
         curves.push(PlotCurve::new(name, SHAKEN, Pen::Dots, shaken));
@@ -90,7 +91,7 @@ pub fn figure(
     })
 }
 
-fn line(language: Language, border: &Border, colour: usize) -> PlotCurve {
+fn line(language: Language, border: &Border, (colour, pen): (usize, Pen)) -> PlotCurve {
     let thickness = trimmed(&figures(border.thickness, 3));
     let area = |area: f64| format!("{:.0}", 1e6 * area);
     let stations = border.stations;
@@ -111,5 +112,5 @@ fn line(language: Language, border: &Border, colour: usize) -> PlotCurve {
         ),
     };
     let points = border.line.iter().map(|[n, m]| (n * KILO, m * KILO)).collect();
-    PlotCurve::new(name, colour, Pen::Curve, points)
+    PlotCurve::new(name, colour, pen, points)
 }

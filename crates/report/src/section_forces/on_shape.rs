@@ -2,7 +2,7 @@
 
 use crate::chapter::figure::Figure;
 use crate::drawing::plot::{self, WIDTH};
-use crate::drawing::svg::{Anchor, Style, Svg, text_width};
+use crate::drawing::svg::{Anchor, LINES, Style, Svg, text_width};
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, trimmed};
 use crate::section_forces::along_lining::COLOURS;
@@ -18,6 +18,8 @@ const ROOM: f64 = 46.0;
 const LARGER: f64 = 2.0;
 /// Room beside the ordinates there, where their numbers stand above the drawing.
 const LARGER_ROOM: f64 = 14.0;
+/// Lines after the stages, of the largest and of the smallest: the last is dashed, so that print without colours tells them apart.
+const STROKES: [usize; 3] = [COLOURS[0], COLOURS[1], COLOURS[2] + LINES.len()];
 /// The forces in a word there.
 const BRIEF: [&str; 3] = ["N (kN/m)", "M (kN\u{a0}m/m)", "Q (kN/m)"];
 
@@ -72,7 +74,14 @@ pub fn figure(
             let places: Vec<(f64, f64)> = section.iter().map(|s| place(s)).collect();
             diagram(&mut svg, (section, &places), i, !shrunk);
         }
-        svg.finish(top + height + 4.0, &title, &description)
+        if !shrunk {
+            return svg.finish(top + height + 4.0, &title, &description);
+        }
+        // There no caption says which side is which.
+        let sides = say!(language, "outwards: N in compression, Q positive; M on the side that it stretches");
+        let size = (12.0 * larger).min(0.96 * WIDTH / text_width(&sides, 1.0));
+        svg.text((WIDTH, top + height + 12.0 * larger), Anchor::End, size, Style::Muted, &sides);
+        svg.finish(top + height + 16.0 * larger, &title, &description)
     };
     let (svg, narrow) = (drawn(1.0), Some(drawn(LARGER)));
     let caption = say!(
@@ -105,7 +114,7 @@ fn legend(language: Language, svg: &mut Svg, lining: &Lining, larger: f64) -> f6
         if x + wide > WIDTH && x > 24.0 {
             (x, y) = (24.0, y + 18.0 * larger);
         }
-        svg.lines(COLOURS[k], 2.4, &[vec![(x, y - 4.5 * larger), (x + 20.0, y - 4.5 * larger)]]);
+        svg.lines(STROKES[k], 2.4, &[vec![(x, y - 4.5 * larger), (x + 20.0, y - 4.5 * larger)]]);
         svg.text((x + 26.0, y), Anchor::Start, 12.0 * larger, Style::Plain, name);
         x += wide;
     }
@@ -168,7 +177,7 @@ fn diagram(svg: &mut Svg, (section, places): (&[&Station], &[(f64, f64)]), i: us
         }
         lines.retain(|line| !line.is_empty());
         if !lines.is_empty() {
-            svg.lines(COLOURS[number], if number == 0 { 1.9 } else { 1.2 }, &lines);
+            svg.lines(STROKES[number], if number == 0 { 1.9 } else { 1.2 }, &lines);
         }
     }
     if !numbered {

@@ -119,32 +119,21 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
     if !after.is_empty() {
         curves.push(PlotCurve::new(&lining.after, 3, Pen::Dots, points(&after)));
     }
-    // As far as there are points, and a little of the lines in any case.
-    let (_, (low, high)) = plot::ranges(&curves[2..]);
-    let most = 1.2 * high.abs().max(low.abs()).max(0.01);
-    let left = plot::ranges(&curves[2..]).0.0.min(-0.05) * 1.15;
-    let right = plot::ranges(&curves[2..]).0.1.max(1.3 * strength.tension / strength.compression) * 1.1;
-    let clipped: Vec<PlotCurve> = curves
-        .into_iter()
-        .map(|curve| PlotCurve {
-            pieces: curve.pieces.iter().flat_map(|p| within(p, (left, right), most)).collect(),
-            ..curve
-        })
-        .collect();
+    let ((left, right), (low, high)) = plot::ranges(&curves);
     let title = say!(language, "{lining}: moment over thrust against strength", lining = lining.name);
     let below = say!(language, "N / (f_c t), tension positive; upwards M / (f_c t²)");
     let drawn = |width: f64, heading: &str| {
         let mut svg = Svg::new(width);
-        let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &clipped);
+        let top = plot::title(&mut svg, (LEFT, 0.0), width - LEFT - RIGHT, heading, &curves);
         let axes = Axes {
             left: LEFT,
             right: width - RIGHT,
             top,
             bottom: top + if width < WIDTH { 250.0 } else { 320.0 },
-            across: Ticks::within(left, right, if width < WIDTH { 6 } else { 10 }),
-            up: Ticks::within(-most, most, 7),
+            across: Ticks::around(left, right, if width < WIDTH { 6 } else { 10 }),
+            up: Ticks::around(low, high, 7),
         };
-        plot::draw(&mut svg, &axes, &clipped);
+        plot::draw(&mut svg, &axes, &curves);
         svg.text((width - RIGHT, axes.bottom + 34.0), Anchor::End, 12.0, Style::Muted, &below);
         svg.finish(axes.bottom + 42.0, &title, &below)
     };
@@ -189,31 +178,6 @@ pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -
         curves: None,
         narrow,
     })
-}
-
-/// The parts of a line within the axes. Lines here are finely cut or straight, so it is enough to cut each piece at the border.
-fn within(line: &[(f64, f64)], (left, right): (f64, f64), most: f64) -> Vec<Vec<(f64, f64)>> {
-    if line.len() < 2 {
-        return vec![line.to_vec()];
-    }
-    let inside = |(x, y): (f64, f64)| (left..=right).contains(&x) && y.abs() <= most;
-    // Points alone are not cut: the axes hold them all.
-    if line.iter().all(|p| inside(*p)) {
-        return vec![line.to_vec()];
-    }
-    let mut pieces = Vec::new();
-    for pair in line.windows(2) {
-        const PARTS: i32 = 400;
-        let at = |k: i32| {
-            let s = f64::from(k) / f64::from(PARTS);
-            (pair[0].0 + s * (pair[1].0 - pair[0].0), pair[0].1 + s * (pair[1].1 - pair[0].1))
-        };
-        let shown: Vec<(f64, f64)> = (0..=PARTS).map(at).filter(|p| inside(*p)).collect();
-        if let (Some(first), Some(last)) = (shown.first(), shown.last()) {
-            pieces.push(vec![*first, *last]);
-        }
-    }
-    pieces
 }
 
 #[cfg(test)]

@@ -230,7 +230,11 @@ pub fn figure(
         let points = section.iter().zip(&along);
         let points = points.filter_map(|(s, x)| Some((*x, value(of(s.number, when)?).min(MOST))));
         let points: Vec<(f64, f64)> = points.filter(|p| p.1.is_finite()).collect();
-        let pen = if colour == 3 { Pen::Marked } else { Pen::Curve };
+        let pen = match colour {
+            3 => Pen::Marked,
+            1 => Pen::Curve,
+            _ => Pen::Dashed,
+        };
         (points.len() > 1).then(|| PlotCurve::new(name, colour, pen, points))
     };
     let mut curves: Vec<PlotCurve> = wanted.into_iter().filter_map(curve).collect();
@@ -240,7 +244,7 @@ pub fn figure(
     curves.push(PlotCurve::new(
         say!(language, "design strength"),
         2,
-        Pen::Dashed,
+        Pen::Dotted,
         vec![(0.0, 1.0), (end, 1.0)],
     ));
     let largest = plot::ranges(&curves).1.1;

@@ -1,12 +1,16 @@
 //! Materials, damping, boundaries and stages in a line each.
 
-use tremolite_results::{MaterialValue, SectionStrength, Summary};
+use tremolite_results::{EFFECTIVE, MaterialValue, SectionStrength, Summary};
 
+use crate::drawing::plot::range;
 use crate::facts::materials;
 use crate::facts::{Fact, card};
 use crate::language::{Language, say};
 use crate::quantities::scale::{count, figures, quantity, span, trimmed};
+use crate::quantities::units::Kind;
+use crate::section_forces::stations::{Lining, linings};
 use crate::source::Source;
+use crate::verdict::short_names::percent;
 
 /// Stages that are named; of more their number is told beside the first and the last.
 const NAMED: usize = 4;
@@ -141,6 +145,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     if let (Some(_), Some(first)) = (shared, tables.first()) {
         facts.push(card(say!(language, "Damping"), String::new(), first.damping.clone()));
     }
+    facts.extend(thickness(source, summary));
     // A line for each way in which linings are judged.
     let mut judged: Vec<(String, Vec<&str>)> = Vec::new();
     for (lining, of) in &summary.parts.sections {
@@ -183,6 +188,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         };
         facts.push(card(say!(language, "Water"), from, then));
     }
+    facts.extend(initial_stress(source, summary));
     let stages: Vec<&str> = summary.computed.stages.iter().skip(1).map(|s| s.name.as_str()).collect();
     if let [first, .., last] = stages[..]
         && stages.len() > NAMED
@@ -194,11 +200,11 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
             first = first,
             last = last
         );
-        facts.push(card(say!(language, "Stages"), text, ""));
+        facts.push(card(say!(language, "Stages"), text, released(language, summary)));
     } else if !stages.is_empty() {
         let text =
             say!(language, "initial equilibrium, then {stages}", stages = stages.join(&say!(language, ", ")));
-        facts.push(card(say!(language, "Stages"), text, ""));
+        facts.push(card(say!(language, "Stages"), text, released(language, summary)));
     }
     let model = &summary.computed.model;
     if model.elements > 0 {
@@ -214,6 +220,71 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         facts.push(card(say!(language, "Model"), text, ""));
     }
     facts
+}
+
+/// The stress before anything was done, and its ratios.
+fn initial_stress(source: &Source, summary: &Summary) -> Option<Fact> {
+    let language = source.language;
+    let found = summary.computed.initial_stress?;
+    let [xx, yy, zz, ..] = found.stress;
+    let ratio = |along: f64| trimmed(&figures(along / zz, 3));
+    let pressure = |stress: f64| source.quantity(Kind::Stress, -stress);
+    if zz == 0.0 {
+        return None;
+    }
+    let [x, y, z] = found.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")));
+    let text = say!(
+        language,
+        "{vertical} vertical, {x} along x ({kx} of it), {y} along y ({ky}), in compression",
+        vertical = pressure(zz),
+        x = pressure(xx),
+        kx = ratio(xx),
+        y = pressure(yy),
+        ky = ratio(yy)
+    );
+    let place = say!(language, "at ({x}, {y}, {z}) m", x = x, y = y, z = z);
+    Some(card(say!(language, "Initial stress"), text, place))
+}
+
+/// Which shares of what is held are let go by excavations that do not let go all; empty where each does.
+fn released(language: Language, summary: &Summary) -> String {
+    let digs = summary.computed.stages.iter().filter(|stage| !stage.excavated.is_empty());
+    let (least, most) = range(digs.map(|stage| stage.release).filter(|share| *share < 1.0));
+    match (least <= most, percent(least), percent(most)) {
+        (false, _, _) => String::new(),
+        (true, least, most) if least == most => {
+            say!(language, "an excavation lets go {share} of what is held", share = least)
+        }
+        (true, least, most) => {
+            say!(language, "excavations let go {least} to {most} of what is held", least = least, most = most)
+        }
+    }
+}
+
+/// How thick linings are at their stations.
+fn thickness(source: &Source, summary: &Summary) -> Option<Fact> {
+    let language = source.language;
+    let Some(Ok(rows)) = &source.sections else { return None };
+    let told = |lining: &Lining| {
+        let (least, most) = range(lining.stations.iter().map(|station| station.thickness));
+        let length = |x: f64| trimmed(&figures(x, 3));
+        (least <= most).then(|| match length(least) == length(most) {
+            true => format!("{} {}\u{a0}m", lining.name, length(least)),
+            false => say!(
+                language,
+                "{lining} {least} to {most}\u{a0}m",
+                lining = lining.name,
+                least = length(least),
+                most = length(most)
+            ),
+        })
+    };
+    let all = linings(language, rows, summary);
+    // Forces of effective stress are of the same stations.
+    let own = all.iter().filter(|lining| !lining.name.ends_with(EFFECTIVE));
+    let all: Vec<String> = own.filter_map(told).collect();
+    let text = all.join(&say!(language, "; "));
+    (!all.is_empty()).then(|| card(say!(language, "Thickness of linings"), text, ""))
 }
 
 /// The symbol of a parameter.

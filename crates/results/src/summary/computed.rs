@@ -25,6 +25,9 @@ pub struct Computed {
     /// `base`, `x`, `y`, `top` → the boundary there while the ground shakes, by its word in a case; empty without an earthquake.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
     pub boundaries: IndexMap<String, String>,
+    /// The stress before anything was done, in the middle of what is excavated first, else of the model; none in files of older versions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub initial_stress: Option<InitialStress>,
     /// `pressure` and `earthquake` → where the pressure of the water comes from and what becomes of it in the earthquake, by their words in
     /// a case; empty without water.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
@@ -165,4 +168,14 @@ pub struct RunFacts {
     pub instruction_set: String,
     /// How often the run was resumed from a checkpoint.
     pub resumed: u64,
+}
+
+/// The initial stress at one place.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct InitialStress {
+    /// m
+    pub at: [f64; 3],
+    /// xx, yy, zz, xy, yz, zx (Pa), total, tension positive.
+    pub stress: [f64; 6],
 }

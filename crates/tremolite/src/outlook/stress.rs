@@ -14,6 +14,9 @@ pub struct StressAt {
     pub stress: [f64; 6],
 }
 
+/// Of the places of [`stress_at_start`] the second: the middle of what is taken out first, or of the model.
+pub const MIDDLE: usize = 1;
+
 /// The initial stress at the top, in the middle of what is taken out first (of the model where nothing is) and at the base, one
 /// below the other; nothing where there is none.
 pub fn stress_at_start(model: &Model) -> Vec<StressAt> {
