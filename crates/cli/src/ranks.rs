@@ -150,7 +150,7 @@ impl Started {
 
     /// The ranks at work on a model.
     pub fn at_work(&self, model: &tremolite::Model, assembly: &tremolite::Assembly) -> Arc<Ranks> {
-        let division = Division::along_a_curve(model, assembly, self.exchange.ranks());
+        let division = Division::even(model, assembly, self.exchange.ranks());
         Arc::new(Ranks::new(self.exchange.clone(), division))
     }
 }

@@ -1,16 +1,18 @@
 //! Who has what, where several ranks work on one model.
 //!
 //! A division goes by the assembly and the number of ranks alone, so that every rank finds the same by itself, and it is the same in all
-//! stages, so that no memory moves from one to the next. Patches of all bodies are lined up along one Hilbert curve through the model
-//! and cut into runs of equal weight; nodes belong to whoever has the patch that first touches them, as a block of them does as a whole, and any other
+//! stages, so that no memory moves from one to the next. Patches of all bodies are lined up and cut into runs of equal weight on each level of
+//! steps; nodes belong to whoever has the patch that first touches them, as a block of them does as a whole, and any other
 //! part goes where most of its nodes are.
+
+mod cut;
 
 use crate::assembly::Assembly;
 use crate::hexahedra::centroid;
 use crate::member::Member;
 use crate::model::{Model, Patch};
+use cut::Cut;
 use tremolite_kernels::Quadrature;
-use tremolite_mesh::order::hilbert_order;
 
 /// Who evaluates the parts of a model and who adds up over its nodes.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,11 +24,52 @@ pub struct Division {
     pub of_block: Vec<u32>,
     /// Work of each rank in a step of the coarsest level: 1 is an update of an elastic brick.
     pub weights: Vec<f64>,
+    /// The time that such a step takes over that of ranks which never wait: in each step of the finest level all wait for the one with
+    /// most to do in it.
+    pub imbalance: f64,
+}
+
+/// Moving a node once, where 1 is an update of an elastic brick.
+const MOVED: f64 = 0.25;
+
+/// Work of each patch once its elements and nodes are due, by the level at which they are.
+struct Works {
+    levels: usize,
+    all: Vec<f64>,
+}
+
+impl Works {
+    /// `touched` are the patches of each node, of which the first has it.
+    fn new(model: &Model, assembly: &Assembly, touched: &[Vec<u32>]) -> Self {
+        let levels = usize::from(model.nodes.coarsest()) + 1;
+        let mut all = vec![0.0; levels * model.patches.len()];
+        for (p, patch) in model.patches.iter().enumerate() {
+            all[levels * p + usize::from(patch.level)] += update(model, assembly, p);
+        }
+        for (patches, &level) in touched.iter().zip(&model.nodes.level) {
+            if let Some(&first) = patches.first() {
+                all[levels * first as usize + usize::from(level)] += MOVED;
+            }
+        }
+        Works { levels, all }
+    }
+
+    /// Work of a patch in a step at which levels up to one are due.
+    fn up_to(&self, patch: usize, level: u8) -> f64 {
+        self.all[self.levels * patch..][..=usize::from(level)].iter().sum()
+    }
+
+    /// The sum over the steps of the finest level in one of the coarsest of what is found for the levels that are due in it.
+    fn by_beat(&self, one: impl Fn(u8) -> f64) -> f64 {
+        let coarsest = self.levels as u8 - 1;
+        let often = |level: u8| f64::from(1u32 << (coarsest - level).saturating_sub(1));
+        (0..=coarsest).map(|level| often(level) * one(level)).sum()
+    }
 }
 
 impl Division {
-    /// Runs of equal weight along a Hilbert curve.
-    pub fn along_a_curve(model: &Model, assembly: &Assembly, ranks: u32) -> Self {
+    /// Even on each level of steps, with little between ranks.
+    pub fn even(model: &Model, assembly: &Assembly, ranks: u32) -> Self {
         let ranks = ranks.max(1);
         let middle = |patch: &Patch| {
             let mut sum = [0.0; 3];
@@ -36,31 +79,37 @@ impl Division {
             }
             sum.map(|s| s / patch.elements.len().max(1) as f64)
         };
-        let middles: Vec<[f64; 3]> = model.patches.iter().map(middle).collect();
-        let weights: Vec<f64> = (0..model.patches.len()).map(|p| weight(model, assembly, p)).collect();
+        let touched = touched(model);
+        let works = Works::new(model, assembly, &touched);
         let mut of_patch = vec![0; model.patches.len()];
-        let order = hilbert_order(&middles);
-        cut(&order, &weights, 0..ranks, &mut of_patch);
-        Division::of(model, assembly, ranks, &of_patch)
+        if ranks > 1 {
+            let middles: Vec<[f64; 3]> = model.patches.iter().map(middle).collect();
+            let cut = Cut::new(model, &works, &middles, &touched);
+            cut.among((0..model.patches.len() as u32).collect(), 0..ranks, &mut of_patch);
+        }
+        Division::of(model, assembly, ranks, &of_patch, (&works, &touched))
     }
 
     /// Patches dealt out one by one: the worst that can be done, for tests.
     pub fn scattered(model: &Model, assembly: &Assembly, ranks: u32) -> Self {
         let ranks = ranks.max(1);
         let of_patch: Vec<u32> = (0..model.patches.len() as u32).map(|p| p % ranks).collect();
-        Division::of(model, assembly, ranks, &of_patch)
+        let touched = touched(model);
+        let works = Works::new(model, assembly, &touched);
+        Division::of(model, assembly, ranks, &of_patch, (&works, &touched))
     }
 
-    fn of(model: &Model, assembly: &Assembly, ranks: u32, of_patch: &[u32]) -> Self {
-        let mut of_node = vec![u32::MAX; model.mesh_node.len()];
-        for (patch, &rank) in model.patches.iter().zip(of_patch) {
-            for &node in patch.elements.iter().flat_map(|&e| model.mesh.elements[e as usize].nodes()) {
-                let of = &mut of_node[model.engine_node[node as usize] as usize];
-                if *of == u32::MAX {
-                    *of = rank;
-                }
-            }
-        }
+    fn of(
+        model: &Model,
+        assembly: &Assembly,
+        ranks: u32,
+        of_patch: &[u32],
+        (works, touched): (&Works, &[Vec<u32>]),
+    ) -> Self {
+        let of_node: Vec<u32> = touched
+            .iter()
+            .map(|patches| patches.first().map_or(u32::MAX, |&p| of_patch[p as usize]))
+            .collect();
         let of_block = model.nodes.blocks.iter().map(|block| of_node[block.nodes.start]).collect();
         let most = |member: &Member| {
             let mut counts = vec![0u32; ranks as usize];
@@ -73,44 +122,36 @@ impl Division {
             .iter()
             .map(|member| member.kind.patch().map_or_else(|| most(member), |patch| of_patch[patch]))
             .collect();
-        let mut weights = vec![0.0; ranks as usize];
-        for (patch, &rank) in of_patch.iter().enumerate() {
-            weights[rank as usize] += weight(model, assembly, patch);
+        let each = |level: u8| {
+            let mut each = vec![0.0; ranks as usize];
+            (0..).zip(of_patch).for_each(|(p, &rank)| each[rank as usize] += works.up_to(p, level));
+            each
+        };
+        let slowest = works.by_beat(|level| each(level).into_iter().fold(0.0, f64::max));
+        let weights: Vec<f64> =
+            (0..ranks as usize).map(|rank| works.by_beat(|level| each(level)[rank])).collect();
+        let mean = weights.iter().sum::<f64>() / f64::from(ranks);
+        Division { ranks, of_member, of_block, weights, imbalance: slowest / mean }
+    }
+}
+
+/// The patches of each engine node, ascending.
+fn touched(model: &Model) -> Vec<Vec<u32>> {
+    let mut touched = vec![Vec::new(); model.mesh_node.len()];
+    for (p, patch) in (0u32..).zip(&model.patches) {
+        for &node in patch.elements.iter().flat_map(|&e| model.mesh.elements[e as usize].nodes()) {
+            let all: &mut Vec<u32> = &mut touched[model.engine_node[node as usize] as usize];
+            if all.last() != Some(&p) {
+                all.push(p);
+            }
         }
-        Division { ranks, of_member, of_block, weights }
     }
-
-    /// The largest weight of a rank over the mean.
-    pub fn imbalance(&self) -> f64 {
-        let mean = self.weights.iter().sum::<f64>() / self.weights.len() as f64;
-        self.weights.iter().copied().fold(0.0, f64::max) / mean
-    }
+    touched
 }
 
-/// Cuts an order into runs for some ranks, in halves as equal as may be.
-fn cut(order: &[u32], weights: &[f64], ranks: std::ops::Range<u32>, of: &mut [u32]) {
-    if ranks.len() <= 1 {
-        order.iter().for_each(|&p| of[p as usize] = ranks.start);
-        return;
-    }
-    let half = ranks.start + ranks.len() as u32 / 2;
-    let whole: f64 = order.iter().map(|&p| weights[p as usize]).sum();
-    let wanted = whole * f64::from(half - ranks.start) / ranks.len() as f64;
-    let mut sum = 0.0;
-    // A patch goes where more of it lies.
-    let before = order.iter().take_while(|&&p| {
-        let weight = weights[p as usize];
-        sum += weight;
-        sum - 0.5 * weight < wanted
-    });
-    let (first, second) = order.split_at(before.count());
-    cut(first, weights, ranks.start..half, of);
-    cut(second, weights, half..ranks.end, of);
-}
-
-/// Work of a patch in a step of the coarsest level, where an update of an elastic brick is 1. What points and columns of their history
+/// One update of a patch, where 1 is that of an elastic brick. What points and columns of their history
 /// cost is about what docs/performance.md has measured.
-fn weight(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
+fn update(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
     let part = &assembly.members[assembly.of_patch[patch] as usize].part;
     let patch = &model.patches[patch];
     let (elements, points) = part.elements();
@@ -120,6 +161,5 @@ fn weight(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
     };
     let element = 0.6 + points as f64 * of_point * (0.4 + 0.03 * part.columns().len() as f64);
     let shape = if patch.bricks || points > 1 { 1.0 } else { 1.5 };
-    let updates = 1u32 << (model.nodes.coarsest() - patch.level);
-    elements as f64 * element * shape * f64::from(updates)
+    elements as f64 * element * shape
 }

@@ -23,7 +23,7 @@ use crate::phase::Phase;
 use crate::phase::ours::{Slots, WIDTH};
 use crate::state::State;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 use tremolite_kernels::Line;
 use tremolite_laws::Row;
@@ -35,6 +35,8 @@ pub struct Ranks {
     /// Whether what a rank does not have is not a number to it.
     poisoned: bool,
     pub tally: Tally,
+    /// Room for the numbers of a message, kept from step to step.
+    room: Mutex<Vec<f64>>,
 }
 
 impl Ranks {
@@ -42,7 +44,7 @@ impl Ranks {
     /// If the division is one for another number of ranks.
     pub fn new(exchange: Arc<dyn Exchange>, division: Division) -> Ranks {
         assert_eq!(exchange.ranks(), division.ranks, "the division is for as many ranks as there are");
-        Ranks { exchange, division, poisoned: false, tally: Tally::default() }
+        Ranks { exchange, division, poisoned: false, tally: Tally::default(), room: Mutex::default() }
     }
 
     /// From now on what a rank does not have is not a number to it: a mode for tests.
@@ -64,6 +66,10 @@ impl Ranks {
     /// Whether what a rank does not have is not a number to it.
     pub(crate) fn is_poisoned(&self) -> bool {
         self.poisoned
+    }
+
+    fn room(&self) -> MutexGuard<'_, Vec<f64>> {
+        self.room.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The bits that any rank sets.
@@ -95,7 +101,8 @@ impl Ranks {
 
     /// Begins to exchange contributions.
     pub(crate) fn start(&self, slots: &Slots, contributions: &[Row]) {
-        let mut words = Vec::with_capacity(WIDTH * slots.send.len());
+        let mut words = self.room();
+        words.clear();
         slots.send.iter().for_each(|&slot| words.extend_from_slice(&contributions[slot as usize].0[..WIDTH]));
         self.exchange.start(&slots.halo, &words);
         self.tally.sent(words.len());
@@ -104,7 +111,8 @@ impl Ranks {
     /// Waits for those of others.
     pub(crate) fn finish(&self, slots: &Slots, contributions: &mut [Row]) {
         let begin = Instant::now();
-        let mut words = vec![0.0; WIDTH * slots.receive.len()];
+        let mut words = self.room();
+        words.resize(WIDTH * slots.receive.len(), 0.0);
         self.exchange.finish(&slots.halo, &mut words);
         for (&slot, row) in slots.receive.iter().zip(words.chunks_exact(WIDTH)) {
             contributions[slot as usize] = Row::new([row[0], row[1], row[2]]);

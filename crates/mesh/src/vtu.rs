@@ -2,7 +2,7 @@
 //!
 //! [`Grid`] is the file in memory. [`Grid::write`] makes `UnstructuredGrid` XML, version 1.0, little
 //! endian, with raw appended data in zlib blocks and 64-bit block headers. [`Grid::read`] reads these and
-//! the other layouts of the format. Units travel in VTK's own information key `UNITS_LABEL`.
+//! the other layouts of the format, and PVTU files, which name the files of several pieces. Units travel in VTK's own information key `UNITS_LABEL`.
 //!
 //! As a mesh file, a VTU holds groups as cell arrays `group:NAME` (0 or 1), named faces as `faces:NAME` (one
 //! bit a face), named points as field arrays `point:NAME`, and numbers other than 1, 2, 3 … as the arrays
@@ -14,6 +14,7 @@ mod data;
 mod header;
 mod kind;
 mod outline;
+mod pieces;
 mod read;
 mod write;
 
@@ -24,6 +25,7 @@ use crate::{Mesh, Shape};
 
 pub(crate) use cells::{FORMAT, NO_SOLIDS, means_something, solids, write_mesh};
 pub(crate) use kind::Kind;
+pub use pieces::{NODE, write_list};
 pub(crate) use read::append_indices;
 
 /// Numbers of one array, tuple after tuple.

@@ -252,11 +252,13 @@ impl ResultFolder {
         folders.iter().flat_map(of).collect()
     }
 
-    fn fields_and_tables(&self) -> [(PathBuf, &'static str); 5] {
+    fn fields_and_tables(&self) -> [(PathBuf, &'static str); 7] {
         [
             (self.fields(), "vtu"),
+            (self.fields(), "pvtu"),
             (self.interface_fields(), "vtu"),
             (self.stage_fields(), "vtu"),
+            (self.stage_fields(), "pvtu"),
             (self.bolt_fields(), "vtu"),
             (self.own_tables(), "csv"),
         ]
@@ -325,7 +327,7 @@ impl ResultFolder {
         self.root.join("fields.pvd")
     }
 
-    /// `fields/`, the field files.
+    /// `fields/`, the field files: of a large mesh several pieces for each time, and a list of them.
     pub fn fields(&self) -> PathBuf {
         self.root.join("fields")
     }

@@ -20,7 +20,7 @@
 //! | `bolts.csv` | [`bolts`] | forces, slip and state of bolts, a row a bolt and time |
 //! | `own/*.csv` | [`own_table`] | tables that a user's program adds |
 //! | `fields.pvd`, `interfaces.pvd`, `stages.pvd`, `bolts.pvd` | [`pvd`] | the times of the files in `fields/`, `interfaces/`, `stages/` and `bolts/` |
-//! | `fields/*.vtu` | [`fields`], [`cut`], [`mod@slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
+//! | `fields/*.vtu`, and `*.pvtu` of a large mesh, whose pieces they are | [`fields`], [`cut`], [`mod@slice`], [`skin`], [`field_file`] | cuts through them, the outside of linings, and all of them as plain data; `tremolite_mesh::vtu` reads and writes the files themselves |
 //! | `interfaces/*.vtu` | [`surface`] | interfaces with what their pairs did |
 //! | `bolts/*.vtu` | [`bolt_lines`] | the segments of bolts with what they did |
 //! | `study.json` | [`study`] | of a study: its runs, and the curves fitted to them |

@@ -110,6 +110,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         boundaries: _,
         target: _,
         fields: _,
+        field_elements: _,
         checkpoint: _,
     } = plan;
     let mut space = Hasher(crc32fast::Hasher::new());

@@ -126,6 +126,9 @@ impl std::fmt::Debug for PlannedWaves {
     }
 }
 
+/// Elements of a field file at most, unless a plan says otherwise: some 50 MB on the disk and a quarter of a GB while it is written.
+pub const FIELD_ELEMENTS: usize = 250_000;
+
 /// Times and outputs of a run.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -151,6 +154,8 @@ pub struct Plan {
     /// Time between field files \[s\]; rounded to whole intervals of the histories.
     pub snapshots: Option<f64>,
     pub fields: Vec<Field>,
+    /// Elements of a field file at most: a model of more has its fields in pieces of so many.
+    pub field_elements: usize,
     /// Wall-clock time between checkpoints \[s\].
     pub checkpoint: Option<f64>,
     pub monitors: Vec<Monitor>,

@@ -86,7 +86,7 @@ pub struct SharedOut {
 impl SharedOut {
     pub fn of(checked: &Checked, ranks: u32) -> SharedOut {
         let job = checked.job;
-        let division = Division::along_a_curve(&job.model, &job.assembly, ranks);
+        let division = Division::even(&job.model, &job.assembly, ranks);
         let whole: f64 = division.weights.iter().sum();
         let traffic = job.phase.traffic(&job.model, &job.assembly, &division);
         let of_rank: Vec<OfRank> = traffic
@@ -117,7 +117,7 @@ impl SharedOut {
         let rows = if job.motion.is_some() { job.plan.duration / job.plan.histories } else { 0.0 };
         let seconds = Seconds {
             stages: alone.stages * most,
-            steps: alone.steps * most,
+            steps: alone.steps * division.imbalance / f64::from(division.ranks),
             messages: if division.ranks > 1 { message * total } else { 0.0 },
             rows: alone.rows + sent * rows,
         };
@@ -125,7 +125,7 @@ impl SharedOut {
         let moved: usize = of_rank.iter().map(|rank| rank.nodes).sum();
         SharedOut {
             ranks: division.ranks,
-            imbalance: division.imbalance(),
+            imbalance: division.imbalance,
             moved_again: moved as f64 / job.model.nodes.len() as f64 - 1.0,
             patches: job.model.patches.len(),
             memory_bytes: bytes - shared + (most * shared as f64) as usize,

@@ -11,7 +11,7 @@ use super::data::{Layout, Take, binary, text};
 use super::header::UNIT_KEY;
 use super::kind::Kind;
 use super::outline::{Appended, Outline, Place, outline};
-use super::{Array, Grid, Values, VtuError};
+use super::{Array, Grid, Values, VtuError, pieces};
 use crate::input::Source;
 
 /// What to do about a file that cannot be read.
@@ -19,13 +19,17 @@ const EXPORT: &str = "open it in ParaView and save it as .vtu with zlib or no co
 
 impl Grid {
     /// Reads a VTU file: ASCII, base64 or raw, inline or appended, with zlib or without, in either byte
-    /// order, of one piece or several.
+    /// order, of one piece or several; and all pieces of a PVTU file, whose points are joined where a point array [`NODE`](super::NODE) numbers
+    /// them.
     ///
     /// # Errors
     /// If the file cannot be opened, is damaged, or is no unstructured grid.
     pub fn read(path: &Path) -> Result<Grid, VtuError> {
         let mut file =
             fs::File::open(path).map_err(|source| VtuError::Io { path: path.to_owned(), source })?;
+        if pieces::is_list(&mut file).map_err(|source| VtuError::Io { path: path.to_owned(), source })? {
+            return pieces::read(path);
+        }
         parse(&mut file, |_| true).map_err(|reason| VtuError::Format { path: path.to_owned(), reason })
     }
 }
@@ -98,7 +102,7 @@ fn layout(root: Node) -> Result<Layout, String> {
 }
 
 /// Adds a further piece. Arrays that only one of them has are dropped.
-fn append(all: &mut Grid, piece: Grid) -> Result<(), String> {
+pub(super) fn append(all: &mut Grid, piece: Grid) -> Result<(), String> {
     let (points, corners) = (all.points.len(), all.connectivity.len());
     if points + piece.points.len() > u32::MAX as usize
         || corners + piece.connectivity.len() > u32::MAX as usize

@@ -157,3 +157,48 @@ fn files_of_another_layout_are_refused_in_words() {
         assert!(message.contains("a.vtu: not a readable VTU file"), "{message}");
     });
 }
+
+/// Two halves of a grid, whose common points are one again.
+#[test]
+fn pieces_are_read_as_the_grid_that_was_cut() {
+    in_folder("pieces", |folder| {
+        let mesh = distorted_box(3);
+        let all: Vec<u32> = (0..mesh.elements.len() as u32).collect();
+        let of = |elements: &[u32], piece: bool| {
+            let (mut grid, nodes) = Grid::from_mesh(&mesh, Some(elements));
+            if piece {
+                let numbers = nodes.iter().map(|&n| i64::from(n)).collect();
+                grid.point_data.push(Array::new(NODE, "", 1, Values::Int64(numbers)));
+            }
+            let height = nodes.iter().map(|&n| mesh.nodes[n as usize][2] as f32).collect();
+            grid.point_data.push(Array::new("height", "m", 1, Values::Float32(height)));
+            let ids = elements.iter().map(|&e| i64::from(e)).collect();
+            grid.cell_data.push(Array::new("element", "", 1, Values::Int64(ids)));
+            grid.time = Some(2.5);
+            grid
+        };
+        let names = ["a-0.vtu", "a-1.vtu"].map(String::from);
+        for (name, lot) in names.iter().zip(all.chunks(all.len().div_ceil(2))) {
+            of(lot, true).write(&folder.join(name)).unwrap();
+        }
+        let list = folder.join("a.pvtu");
+        write_list(&list, &of(&all[..1], true), &names).unwrap();
+        assert_eq!(Grid::read(&list).unwrap(), of(&all, false));
+        // What is no file beside it is not opened, and what is not there is named.
+        let text = fs::read_to_string(&list).unwrap();
+        for (other, words) in [
+            ("../a-1.vtu", "no file beside it"),
+            ("/etc/hostname", "no file beside it"),
+            ("", "no file beside it"),
+            ("b.vtu", "b.vtu"),
+            // A list of lists would have no end.
+            ("a.pvtu", "expected UnstructuredGrid"),
+        ] {
+            fs::write(&list, text.replace("a-1.vtu", other)).unwrap();
+            let message = Grid::read(&list).unwrap_err().to_string();
+            assert!(message.contains(words), "{message}");
+        }
+        fs::write(&list, "<VTKFile type=\"PUnstructuredGrid\"></VTKFile>").unwrap();
+        assert!(Grid::read(&list).unwrap_err().to_string().contains("names no <Piece>"));
+    });
+}

@@ -148,7 +148,7 @@ impl Body {
 }
 
 /// Text as XML may hold it; control characters, which XML cannot hold, become spaces.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

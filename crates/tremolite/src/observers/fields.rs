@@ -1,4 +1,5 @@
-//! fields/*.vtu and fields.pvd: the whole model at some times.
+//! fields/*.vtu and fields.pvd: the whole model at some times. A model of many elements is written in pieces, each in a file, which a file
+//! `.pvtu` lists; which elements are a piece goes by the mesh alone, so that the files are the same however many ranks there are.
 
 use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use super::{Cracks, Envelopes};
@@ -12,7 +13,7 @@ use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
-use tremolite_mesh::vtu::{Array, Grid, Values, VtuError};
+use tremolite_mesh::vtu::{Array, Grid, NODE, Values, VtuError, write_list};
 use tremolite_results::Pvd;
 
 /// Writes the chosen fields of the active elements.
@@ -20,11 +21,17 @@ pub struct Fields {
     schedule: Schedule,
     folder: std::path::PathBuf,
     list: Pvd,
-    grid: FieldGrid,
+    grids: FieldGrids,
 }
 
-/// The active elements of a phase, to be written with what they show.
-pub struct FieldGrid {
+/// The active elements of a phase in the files that they are written in: one, or pieces of a fixed number of the mesh's elements.
+pub struct FieldGrids {
+    pieces: Vec<FieldGrid>,
+    in_pieces: bool,
+}
+
+/// Active elements of a phase, to be written to one file with what they show.
+struct FieldGrid {
     grid: Grid,
     /// Engine node of each point of the grid.
     nodes: Vec<u32>,
@@ -39,7 +46,7 @@ impl Fields {
     /// # Errors
     /// If the list cannot be written or read.
     pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
-        let Setting { folder, model, phase, steps, .. } = *setting;
+        let Setting { folder, model, phase, plan, steps, .. } = *setting;
         let Some(every) = steps.snapshots else { return Ok(None) };
         let list = if setting.step == 0 {
             Pvd::create(&folder.pvd())?
@@ -50,16 +57,72 @@ impl Fields {
         tremolite_files::make_folder(&folder.fields())
             .map_err(|source| RunError::Io { path: folder.fields(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
-        Ok(Some(Fields { schedule, folder: folder.fields(), list, grid: FieldGrid::of(model, phase) }))
+        let grids = FieldGrids::of(model, phase, plan.field_elements);
+        Ok(Some(Fields { schedule, folder: folder.fields(), list, grids }))
+    }
+}
+
+impl FieldGrids {
+    /// The elements that are there in a phase; where the mesh has more than `most`, each so many of the mesh's elements are a piece.
+    pub fn of(model: &Model, phase: &Phase, most: usize) -> Self {
+        let active: Vec<u32> =
+            (0u32..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).collect();
+        let in_pieces = model.mesh.elements.len() > most;
+        let most = if in_pieces { most.max(1) as u32 } else { u32::MAX };
+        let lots: Vec<&[u32]> = match active.is_empty() {
+            true => vec![&active[..]],
+            false => active.chunk_by(|a, b| a / most == b / most).collect(),
+        };
+        let mut pieces: Vec<FieldGrid> =
+            lots.into_iter().map(|lot| FieldGrid::of(model, phase, lot, in_pieces)).collect();
+        // All pieces have the same arrays.
+        for (name, elements) in &model.mesh.groups {
+            let mut inside = vec![0; model.mesh.elements.len()];
+            elements.iter().for_each(|&e| inside[e as usize] = 1);
+            if active.iter().any(|&e| inside[e as usize] == 1) {
+                pieces.iter_mut().for_each(|piece| piece.add_group(name, &inside));
+            }
+        }
+        FieldGrids { pieces, in_pieces }
+    }
+
+    /// Writes the fields that the plan wants, and more vectors by engine node with their names and units, to a file of this name in a folder, or
+    /// to pieces of which it is a list; the name with its ending comes back.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn write(
+        &self,
+        (folder, name): (&Path, &str),
+        time: f64,
+        (view, memory): (&View, &Memory),
+        more: &[(&str, &str, &[Row])],
+    ) -> Result<String, VtuError> {
+        let of = |piece: &FieldGrid| piece.filled(time, view, memory, more);
+        if !self.in_pieces {
+            let name = format!("{name}.vtu");
+            self.pieces.iter().try_for_each(|piece| of(piece).write(&folder.join(&name)))?;
+            return Ok(name);
+        }
+        let mut files = Vec::new();
+        let mut like = Grid::default();
+        for (k, piece) in self.pieces.iter().enumerate() {
+            let file = format!("{name}-{k:04}.vtu");
+            like = of(piece);
+            like.write(&folder.join(&file))?;
+            files.push(file);
+        }
+        // Behind its pieces, so that whoever sees it finds them.
+        let name = format!("{name}.pvtu");
+        write_list(&folder.join(&name), &like, &files)?;
+        Ok(name)
     }
 }
 
 impl FieldGrid {
-    /// The elements that are there in a phase.
-    pub fn of(model: &Model, phase: &Phase) -> Self {
-        let active: Vec<u32> =
-            (0u32..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).collect();
-        let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(&active));
+    /// Some elements that are there in a phase, as one of several pieces or by themselves.
+    fn of(model: &Model, phase: &Phase, active: &[u32], is_piece: bool) -> Self {
+        let (mut grid, mesh_nodes) = Grid::from_mesh(&model.mesh, Some(active));
         let slots: Vec<ElementSlot> = active.iter().filter_map(|&e| phase.element_slot[e as usize]).collect();
         let bodies: Vec<i32> = slots.iter().map(|s| model.patches[s.patch as usize].body as i32).collect();
         let numbers = active.iter().map(|&e| model.mesh.element_id(e as usize) as i64).collect();
@@ -67,23 +130,22 @@ impl FieldGrid {
             Array::new("element", "", 1, Values::Int64(numbers)),
             Array::new("body", "", 1, Values::Int32(bodies)),
         ];
-        grid.cell_data.extend(groups(model, &active));
+        if is_piece {
+            let numbers = mesh_nodes.iter().map(|&n| i64::from(n)).collect();
+            grid.point_data = vec![Array::new(NODE, "", 1, Values::Int64(numbers))];
+        }
         let nodes = mesh_nodes.iter().map(|&n| model.engine_node[n as usize]).collect();
-        FieldGrid { grid, nodes, elements: active, slots }
+        FieldGrid { grid, nodes, elements: active.to_vec(), slots }
     }
 
-    /// Writes a file of the fields that the plan wants, and of more vectors by engine node with their names and units.
-    ///
-    /// # Errors
-    /// If it cannot be written.
-    pub fn write(
-        &self,
-        path: &Path,
-        time: f64,
-        view: &View,
-        memory: &Memory,
-        more: &[(&str, &str, &[Row])],
-    ) -> Result<(), VtuError> {
+    /// Adds an array `group:NAME`, 1 in a group and 0 outside.
+    fn add_group(&mut self, name: &str, inside: &[u8]) {
+        let values: Vec<u8> = self.elements.iter().map(|&e| inside[e as usize]).collect();
+        self.grid.cell_data.push(Array::new(format!("group:{name}"), "", 1, Values::UInt8(values)));
+    }
+
+    /// With the fields that the plan wants, and more vectors by engine node with their names and units.
+    fn filled(&self, time: f64, view: &View, memory: &Memory, more: &[(&str, &str, &[Row])]) -> Grid {
         let mut grid = self.grid.clone();
         grid.time = Some(time);
         for &field in &view.plan.fields {
@@ -91,7 +153,7 @@ impl FieldGrid {
         }
         self.add_histories(&mut grid, view);
         grid.point_data.extend(more.iter().map(|(name, unit, rows)| self.nodal(name, unit, rows)));
-        grid.write(path)
+        grid
     }
 
     fn nodal(&self, name: &str, unit: &str, rows: &[Row]) -> Array {
@@ -183,17 +245,6 @@ impl FieldGrid {
     }
 }
 
-/// An array `group:NAME`, 1 in the group and 0 outside, for each group with an active element.
-fn groups(model: &Model, active: &[u32]) -> Vec<Array> {
-    let array = |(name, elements): (&String, &Vec<u32>)| {
-        let mut inside = vec![0; model.mesh.elements.len()];
-        elements.iter().for_each(|&e| inside[e as usize] = 1);
-        let values: Vec<u8> = active.iter().map(|&e| inside[e as usize]).collect();
-        values.contains(&1).then(|| Array::new(format!("group:{name}"), "", 1, Values::UInt8(values)))
-    };
-    model.mesh.groups.iter().filter_map(array).collect()
-}
-
 impl Observer for Fields {
     fn wants(&self) -> Wants {
         Wants { nodes: Which::All, elements: Which::All, reads_kept: true, ..Wants::looks(self.schedule) }
@@ -209,8 +260,8 @@ impl Observer for Fields {
 
 impl Fields {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let name = format!("{:06}.vtu", view.snapshot.step.div_ceil(self.schedule.every));
-        self.grid.write(&self.folder.join(&name), view.snapshot.time, view, memory, &[])?;
+        let name = format!("{:06}", view.snapshot.step.div_ceil(self.schedule.every));
+        let name = self.grids.write((&self.folder, &name), view.snapshot.time, (view, memory), &[])?;
         self.list.add(view.snapshot.time, &format!("fields/{name}"))?;
         Ok(())
     }

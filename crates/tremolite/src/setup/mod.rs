@@ -42,7 +42,7 @@ pub use page::limits;
 pub use target::of_case as target_of;
 pub use undrained::MEANINGS as MEANINGS_OF_WATER;
 
-use crate::plan::Plan;
+use crate::plan::{FIELD_ELEMENTS, Plan};
 use crate::quantities::Field;
 use indexmap::IndexMap;
 use stages::Staged;
@@ -329,6 +329,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         histories: output.histories.value,
         snapshots: output.snapshots.as_ref().map(|s| s.value),
         fields,
+        field_elements: FIELD_ELEMENTS,
         checkpoint: output.checkpoint.as_ref().map(|c| c.value),
         monitors,
         pairs,

@@ -63,6 +63,7 @@ pub(crate) fn plan(stages: &[&str]) -> Plan {
         histories: 0.1,
         snapshots: None,
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),

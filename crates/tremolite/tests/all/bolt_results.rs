@@ -59,6 +59,7 @@ pub fn plan() -> Plan {
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: vec![at("a.b-c", [6.0, 5.0, 8.0]), at("d.ux", [6.0, 5.0, 2.0])],
         pairs: Vec::new(),

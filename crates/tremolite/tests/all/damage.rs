@@ -106,6 +106,7 @@ fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_after:
             histories: 0.002,
             snapshots: Some(0.1),
             fields: Field::ALL.to_vec(),
+            field_elements: 250_000,
             checkpoint: None,
             monitors,
             pairs: Vec::new(),

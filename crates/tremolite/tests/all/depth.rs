@@ -78,6 +78,7 @@ pub fn plan(problem: &Problem, heights: &[f64], seconds: f64) -> Plan {
         histories: 0.005,
         snapshots: None,
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: heights.iter().map(monitor).collect(),
         pairs: Vec::new(),

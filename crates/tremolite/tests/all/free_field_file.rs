@@ -69,6 +69,7 @@ pub fn outcome(problem: Problem, folder: &Path) -> (ResultFolder, Arc<Model>, Me
         histories: 0.005,
         snapshots: None,
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),

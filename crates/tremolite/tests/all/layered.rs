@@ -305,6 +305,7 @@ fn most_used(quadrature: Quadrature) -> f64 {
         histories: 5e-4,
         snapshots: None,
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),

@@ -43,6 +43,7 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Field::ALL.to_vec(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: monitors.iter().map(monitor).collect(),
         pairs: Vec::new(),

@@ -238,6 +238,7 @@ fn told(problem: Problem) -> Summary {
         histories: 0.002,
         snapshots: None,
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: vec![Monitor { name: "slab".into(), point: [6.0, 5.0, 7.0], location }],
         pairs: Vec::new(),

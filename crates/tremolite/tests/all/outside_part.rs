@@ -177,6 +177,7 @@ fn an_observer_from_outside_writes_a_file_of_what_a_part_from_outside_remembers(
         histories: 0.002,
         snapshots: None,
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),

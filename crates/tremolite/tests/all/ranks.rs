@@ -61,6 +61,7 @@ pub fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
         histories: 0.002,
         snapshots: Some(0.01),
         fields: Field::ALL.to_vec(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: places.into_iter().filter_map(monitor).collect(),
         pairs: Vec::new(),
@@ -74,8 +75,8 @@ pub fn plan(problem: &Problem, stages: &[&str], duration: f64) -> Plan {
 
 /// A model, what is done with it, and observers of a program's own.
 pub struct Case {
-    built: Built,
-    plan: Plan,
+    pub built: Built,
+    pub plan: Plan,
     own: fn() -> OwnObservers,
 }
 
@@ -89,12 +90,12 @@ impl Case {
         Case { built: Built::of(&model, &assembly, &phase), plan, own: Vec::new }
     }
 
-    fn simulation(&self, folder: &ResultFolder, start: Start, ranks: Option<Arc<Ranks>>) -> Simulation {
+    pub fn simulation(&self, folder: &ResultFolder, start: Start, ranks: Option<Arc<Ranks>>) -> Simulation {
         Simulation::among(&self.built, &self.plan, folder, start, (self.own)(), ranks).unwrap()
     }
 
     /// In one process.
-    fn alone(&self) -> Files {
+    pub fn alone(&self) -> Files {
         let folder = tempfile::tempdir().unwrap();
         let results = ResultFolder::create(Some(folder.path()), "ranks", true).unwrap();
         let state = through(self.simulation(&results, Start::Rest, None));
@@ -113,7 +114,7 @@ impl Case {
         (files(folder.path(), state), took)
     }
 
-    fn in_folder(
+    pub fn in_folder(
         &self,
         How { ranks, threads, scattered }: How,
         results: &ResultFolder,
@@ -122,7 +123,7 @@ impl Case {
         let Built { model, assembly, .. } = &self.built;
         let division = match scattered {
             true => Division::scattered(model, assembly, ranks),
-            false => Division::along_a_curve(model, assembly, ranks),
+            false => Division::even(model, assembly, ranks),
         };
         let all = std::thread::scope(|scope| {
             let spawn = |exchange: Loopback| {
@@ -182,10 +183,10 @@ const ALL: [How; 16] = {
 const SOME: [How; 3] = [how(2, 2, false), how(3, 1, true), how(7, 1, false)];
 
 /// What a run leaves: its files, and the state at its end as text, since what nothing is known of is not a number.
-struct Files(BTreeMap<PathBuf, Vec<u8>>, String);
+pub struct Files(pub BTreeMap<PathBuf, Vec<u8>>, String);
 
 /// All files; of checkpoints what the shaking begins with alone, since the others are written when the clock says so.
-fn files(folder: &Path, state: String) -> Files {
+pub fn files(folder: &Path, state: String) -> Files {
     let mut files = crate::held::files(folder);
     let hand_over = Path::new("checkpoint/hand-over.bin");
     if let Ok(bytes) = std::fs::read(folder.join(hand_over)) {
@@ -194,7 +195,7 @@ fn files(folder: &Path, state: String) -> Files {
     Files(files, state)
 }
 
-fn same(what: &str, whole: &Files, other: &Files) {
+pub fn same(what: &str, whole: &Files, other: &Files) {
     assert_eq!(whole.0.keys().collect::<Vec<_>>(), other.0.keys().collect::<Vec<_>>(), "{what}");
     for (name, bytes) in &whole.0 {
         assert!(*bytes == other.0[name], "{what}: {}", name.display());
@@ -203,7 +204,7 @@ fn same(what: &str, whole: &Files, other: &Files) {
 }
 
 /// To the end of a plan; the state there as text.
-fn through(mut simulation: Simulation) -> String {
+pub fn through(mut simulation: Simulation) -> String {
     while simulation.stage().is_some() {
         assert!(matches!(simulation.relax(&mut |_| Go::On).unwrap(), StageEnd::AtRest(_)));
     }
@@ -234,7 +235,7 @@ pub fn pit_of(bolted: Problem) -> Problem {
     problem
 }
 
-fn pit() -> Case {
+pub fn pit() -> Case {
     pit_case(pit_problem())
 }
 
@@ -580,11 +581,34 @@ fn what_is_exchanged_is_what_the_division_says() {
     let case = Case::new(problem, &[], 0.012);
     let took = case.holds("counted", &[how(3, 1, false)]);
     let Built { model, assembly, phase, .. } = &case.built;
-    let division = Division::along_a_curve(model, assembly, 3);
+    let division = Division::even(model, assembly, 3);
     for (rank, took) in (0..).zip(took) {
         let own = phase.of_rank(model, assembly, &division, rank);
         let bytes = 8 * own.ours.as_ref().unwrap().halos[0].halo.words()[0] as u64;
         assert!(bytes > 0 && took.bytes == bytes * took.halos, "{rank}: {took:?}, {bytes}");
     }
-    assert!(division.imbalance() < 1.2, "{:?}", division.weights);
+    assert!(division.imbalance < 1.2, "{:?}", division.weights);
+}
+
+/// In each step of the finest level ranks have about as much to do, though the finest elements are all at one end.
+#[test]
+fn ranks_are_even_on_each_level_of_steps() {
+    let mut problem = shaken(block([6, 5, 14]));
+    problem.patch_elements = Some(8);
+    let Ready { model, assembly, phase } = Ready::new(problem).levelled(|[_, _, z]| (z / 3.0) as u8);
+    assert_eq!(phase.beats.len(), 4);
+    for ranks in [2, 3, 4] {
+        let division = Division::even(&model, &assembly, ranks);
+        assert!(division.imbalance < 1.2, "{ranks} ranks: {}", division.imbalance);
+        for beat in 0..phase.beats.len() {
+            let elements = |rank: u32| {
+                let own = phase.of_rank(&model, &assembly, &division, rank);
+                let active = own.beats[beat].active.iter();
+                active.map(|&m| assembly.members[m as usize].part.elements().0).sum::<usize>() as f64
+            };
+            let each: Vec<f64> = (0..ranks).map(elements).collect();
+            let mean = each.iter().sum::<f64>() / f64::from(ranks);
+            assert!(each.iter().all(|own| *own < 1.3 * mean), "{ranks} ranks, levels to {beat}: {each:?}");
+        }
+    }
 }

@@ -40,7 +40,7 @@ fn a_rank_holds_its_share_of_parts_and_memory() {
     println!("{} elements, {} nodes", model.mesh.elements.len(), model.nodes.len());
     assert!(alone.parts > 0 && alone.memory > alone.parts && alone.pushes > 0, "{alone:?}");
     for ranks in [2, 4] {
-        let division = Division::along_a_curve(&model, &assembly, ranks);
+        let division = Division::even(&model, &assembly, ranks);
         // With the parts of all, a rank holds more than its share, which is then seen.
         let first = Arc::new(Loopback::ranks(ranks).remove(0));
         let rank = Arc::new(Ranks::new(first, division.clone()));

@@ -124,6 +124,7 @@ fn strip(layers: u32, reinforced: bool, pulled: bool) -> Strip {
         histories: 1.0,
         snapshots: None,
         fields: Vec::new(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: Vec::new(),
         pairs: Vec::new(),

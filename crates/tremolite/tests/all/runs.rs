@@ -36,6 +36,7 @@ fn plan(problem: &Problem) -> Plan {
         histories: 0.002,
         snapshots: Some(0.02),
         fields: Field::ALL.to_vec(),
+        field_elements: 250_000,
         checkpoint: None,
         monitors: vec![monitor("top", [6.3, 5.1, 14.0]), monitor("slab", [6.0, 5.0, 7.0])],
         pairs: (0..problem.interfaces.len())

@@ -10,7 +10,7 @@ pub fn print_lines(shared: &SharedOut) {
     let SharedOut { ranks, of_rank, .. } = shared;
     print(&format!("ranks {ranks}"));
     print(&format!(
-        "  the one with most work has {:.1} % more than the mean; parts that crack shift it",
+        "  in each step the one with most work has {:.1} % more than the mean; parts that crack shift it",
         100.0 * (shared.imbalance - 1.0)
     ));
     print(&format!("  {:.1} % of the nodes are moved by one rank more", 100.0 * shared.moved_again));

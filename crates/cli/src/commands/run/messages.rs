@@ -41,9 +41,9 @@ impl Log {
 
 /// How a model is shared out.
 pub(super) fn shared_out(division: &Division) -> String {
-    let slower = 100.0 * (division.imbalance() - 1.0);
+    let slower = 100.0 * (division.imbalance - 1.0);
     format!(
-        "  {} ranks, of which the one with most work has {slower:.0} % more than the mean",
+        "  {} ranks, of which in each step the one with most work has {slower:.0} % more than the mean",
         division.ranks
     )
 }

@@ -1,7 +1,7 @@
 //! stages/*.vtu, interfaces/stage-*.vtu and bolts/stage-*.vtu: the whole model at the end of each stage, with their lists.
 
 use super::super::bolt_fields::BoltGrid;
-use super::super::fields::FieldGrid;
+use super::super::fields::FieldGrids;
 use super::super::interfaces::InterfaceGrid;
 use super::super::observer::{Event, Observer, Setting, StageSeen, Wants, Which};
 use crate::error::RunError;
@@ -34,7 +34,7 @@ impl StageGrids {
     fn write(&self, seen: &StageSeen, memory: &Memory) -> Result<(), RunError> {
         let StageSeen { stage, at_rest, ref view, u, start, last, .. } = *seen;
         let folder = make(self.folder.stage_fields())?;
-        let name = format!("{stage:03}.vtu");
+        let grids = FieldGrids::of(view.model, view.phase, view.plan.field_elements);
         // Displacements count from the initial equilibrium; what it took to get there is told beside them.
         let since_start = |(now, before): (&Row, &Row)| Row([0, 1, 2, 3].map(|i| now.0[i] - before.0[i]));
         let motion: Vec<Row> = u.iter().zip(start).map(since_start).collect();
@@ -43,7 +43,7 @@ impl StageGrids {
             (true, _) => &[],
             (false, _) => &[("motion_of_last_cycle", "m", last)],
         };
-        FieldGrid::of(view.model, view.phase).write(&folder.join(&name), stage as f64, view, memory, more)?;
+        let name = grids.write((&folder, &format!("{stage:03}")), stage as f64, (view, memory), more)?;
         list(&self.folder.stages_pvd(), stage, &format!("stages/{name}"))?;
         let name = format!("stage-{stage:03}.vtu");
         if view.plan.fields.contains(&Field::Interface) && !view.model.user_seams().is_empty() {
