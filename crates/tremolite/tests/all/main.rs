@@ -31,6 +31,7 @@ mod poison;
 mod power_loss;
 mod ranks;
 mod ranks_bytes;
+mod ranks_water;
 mod ready;
 mod recorded;
 mod reinforcement;
