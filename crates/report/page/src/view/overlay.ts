@@ -17,8 +17,8 @@ export interface Overlay {
   nothing: string;
   /** In SI, with the unit to show it in. */
   bar: { range: Range; scheme: Scheme; shown: Shown; beyond: { below: boolean; above: boolean }; nothing: boolean } | null;
-  /** By panel: where it is, its lines of text, and the tails and heads of arrows of flow, relative to the model's centre. */
-  panels: { left: number; top: number; width: number; height: number; lines: string[]; flow: [Vector3, Vector3][] }[];
+  /** By panel: where it is, its lines of text, and the pieces of flow lines, relative to the model's centre. */
+  panels: { left: number; top: number; width: number; height: number; lines: string[]; flow: Vector3[][] }[];
   camera: Camera;
   waves: WaveHeld[];
 }
@@ -230,23 +230,41 @@ function drawWave(pen: CanvasRenderingContext2D, over: Overlay, wave: WaveHeld, 
   pen.textAlign = "start";
 }
 
-/** Arrows of flow as the camera sees them, with a light edge so that they are seen on any colour. */
+/** Flow lines as the camera sees them, with a head in the middle of each and a light edge so that they are seen on any colour. */
 function drawFlow(pen: CanvasRenderingContext2D, over: Overlay, panel: Overlay["panels"][number]) {
   const seen = (at: Vector3) => {
     const { x, y, z } = at.clone().project(over.camera);
     return { x: panel.left + ((x + 1) / 2) * panel.width, y: panel.top + ((1 - y) / 2) * panel.height, before: z < 1 };
   };
-  const arrows = panel.flow.map((ends) => ends.map(seen)).filter((ends) => ends.every((end) => end.before));
+  const lines = panel.flow.map((line) => line.map(seen)).filter((line) => line.every((point) => point.before));
   pen.save();
   pen.beginPath();
   pen.rect(panel.left, panel.top, panel.width, panel.height);
   pen.clip();
-  for (const [colour, width, head] of [["#ffffff", 3, 7], [FLOW, 1.3, 6]] as const) {
+  for (const [colour, width, head] of [["#ffffff", 2.6, 7], [FLOW, 1.1, 6]] as const) {
     pen.strokeStyle = pen.fillStyle = colour;
     pen.lineWidth = width;
-    for (const [tail, tip] of arrows) arrow(pen, tail.x, tail.y, tip.x, tip.y, head);
+    for (const line of lines) {
+      pen.beginPath();
+      line.forEach((point, k) => (k ? pen.lineTo(point.x, point.y) : pen.moveTo(point.x, point.y)));
+      pen.stroke();
+      const middle = middleOf(line);
+      if (middle) arrow(pen, middle.x - middle.alongX * head, middle.y - middle.alongY * head, middle.x, middle.y, head);
+    }
   }
   pen.restore();
+}
+
+/** The place in the middle of a line and its way there; none where the line is too short for a head. */
+function middleOf(line: { x: number; y: number }[]) {
+  const lengths = line.slice(1).map((point, k) => Math.hypot(point.x - line[k].x, point.y - line[k].y));
+  const whole = lengths.reduce((sum, length) => sum + length, 0);
+  if (whole < 20) return null;
+  let left = whole / 2;
+  const k = lengths.findIndex((length) => (left -= length) <= 0);
+  const [from, to, length] = [line[k], line[k + 1], lengths[k]];
+  const [alongX, alongY] = [(to.x - from.x) / length, (to.y - from.y) / length];
+  return { x: to.x + left * alongX, y: to.y + left * alongY, alongX, alongY };
 }
 
 /** A line that ends in a head, which is shorter where the line is. */
