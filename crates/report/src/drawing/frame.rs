@@ -188,7 +188,8 @@ impl Frame {
                 let (along, down) = ((to_x - x) / own, (to_y - y) / own);
                 let (x, y) = (x + (next - passed) * along, y + (next - passed) * down);
                 let tip = (x + 0.5 * HEAD * along, y + 0.5 * HEAD * down);
-                let back = |turn: f64| (tip.0 - HEAD * (along - turn * down), tip.1 - HEAD * (down + turn * along));
+                let back =
+                    |turn: f64| (tip.0 - HEAD * (along - turn * down), tip.1 - HEAD * (down + turn * along));
                 self.leading.push(vec![back(0.45), tip, back(-0.45)]);
                 next += whole / number;
             }

@@ -80,7 +80,9 @@ impl<const D: usize> Continuous<D> {
         }
         self.simplices(cell).find_map(|points| {
             let shares = shares(&points[..=D], place)?;
-            Some(std::array::from_fn(|i| shares.iter().zip(&points).map(|(share, (_, flow))| share * flow[i]).sum()))
+            Some(std::array::from_fn(|i| {
+                shares.iter().zip(&points).map(|(share, (_, flow))| share * flow[i]).sum()
+            }))
         })
     }
 

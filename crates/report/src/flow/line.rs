@@ -27,7 +27,9 @@ fn traced<const D: usize>(field: &Continuous<D>, seed: usize, sign: f64) -> Flow
         let q = size(&flow);
         (q > 0.0).then(|| (flow.map(|x| sign * x / q), cell))
     };
-    let along = |at: &[f64; D], way: &[f64; D], step: f64| -> [f64; D] { std::array::from_fn(|i| at[i] + step * way[i]) };
+    let along = |at: &[f64; D], way: &[f64; D], step: f64| -> [f64; D] {
+        std::array::from_fn(|i| at[i] + step * way[i])
+    };
     let mut at = field.middles[seed];
     let mut line = vec![at];
     let Some((mut heading, mut cell)) = way(&at, seed) else { return line };
@@ -43,7 +45,7 @@ fn traced<const D: usize>(field: &Continuous<D>, seed: usize, sign: f64) -> Flow
             let mean: [f64; D] = std::array::from_fn(|i| (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]) / 6.0);
             let next = along(&at, &mean, step);
             let (heading, cell) = way(&next, cell)?;
-            (dot(&heading, &a) > TURN).then_some((next, heading, cell))
+            [b, c, d, heading].iter().all(|way| dot(way, &a) > TURN).then_some((next, heading, cell))
         };
         let found = loop {
             match tried(step) {

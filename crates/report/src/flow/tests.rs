@@ -100,7 +100,10 @@ fn lines_to_a_well_are_straight() {
             let [from, to] = [line[0], line[line.len() - 1]].map(|end| size(&end));
             // To within a thousandth of a cell's width of the chords of the rim and the well.
             let chord = (0.5 * PI / n as f64).powi(2);
-            assert!((1.0 - chord..1.001).contains(&(from / 50.0)) && (1.0 - chord..1.01).contains(&(to / 5.0)), "{from} {to}");
+            assert!(
+                (1.0 - chord..1.001).contains(&(from / 50.0)) && (1.0 - chord..1.01).contains(&(to / 5.0)),
+                "{from} {to}"
+            );
         }
         let inwards = |at: [f64; 2]| at.map(|x| -x);
         let in_space = super::lines(&space, 800.0, 60);
@@ -168,6 +171,7 @@ fn lines_end_at_drains() {
     assert!(found.len() > 10);
     for line in &found {
         let [from, to] = [line[0], line[line.len() - 1]];
+        assert!(line.len() < 200, "it does not go to and fro there: {} points", line.len());
         assert!(from[0].abs().max(from[1].abs()) > 9.99 && size(&to) < 0.8, "{from:?} {to:?}");
     }
     assert!(lines(&places().map(|[x, z]| cell(x, z, [0.0; 2])).collect::<Vec<_>>(), 200.0, 60).is_empty());
