@@ -59,5 +59,14 @@ fn seepage_to_a_lined_hall_and_an_undrained_earthquake_give_the_same_on_several_
     assert!(job.model.water.modulus.iter().any(|&m| m > 0.0), "water that cannot leave");
     assert!(job.phase.beats.len() > 1, "levels of steps");
     let ways = [how(1, 2, false), how(2, 1, false), how(2, 2, true), how(3, 1, false), how(3, 2, false)];
-    case(job).holds("wet hall", &ways);
+    let whole = case(job);
+    let others = [
+        ("water.earthquake", "drained"),
+        ("stage[2].water.drains", "none"),
+        ("interface[1].water", "{ drained = true }"),
+        ("interface[0].water", "{ factor = 0.4 }"),
+    ];
+    let others = others.map(|change| (change.0, case(hall(&[change]))));
+    assert!(whole.as_this(&others).is_empty(), "each of them changes something: {:?}", whole.as_this(&others));
+    whole.holds("wet hall", &ways);
 }
