@@ -230,7 +230,7 @@ function drawWave(pen: CanvasRenderingContext2D, over: Overlay, wave: WaveHeld, 
   pen.textAlign = "start";
 }
 
-/** Flow lines as the camera sees them, with a head in the middle of each and a light edge so that they are seen on any colour. */
+/** Flow lines as the camera sees them, with heads along each and a light edge so that they are seen on any colour. */
 function drawFlow(pen: CanvasRenderingContext2D, over: Overlay, panel: Overlay["panels"][number]) {
   const seen = (at: Vector3) => {
     const { x, y, z } = at.clone().project(over.camera);
@@ -241,30 +241,37 @@ function drawFlow(pen: CanvasRenderingContext2D, over: Overlay, panel: Overlay["
   pen.beginPath();
   pen.rect(panel.left, panel.top, panel.width, panel.height);
   pen.clip();
-  for (const [colour, width, head] of [["#ffffff", 2.6, 7], [FLOW, 1.1, 6]] as const) {
+  for (const [colour, width, head] of [["#ffffff", 2.6, 9], [FLOW, 1.1, 8]] as const) {
     pen.strokeStyle = pen.fillStyle = colour;
     pen.lineWidth = width;
     for (const line of lines) {
       pen.beginPath();
       line.forEach((point, k) => (k ? pen.lineTo(point.x, point.y) : pen.moveTo(point.x, point.y)));
       pen.stroke();
-      const middle = middleOf(line);
-      if (middle) arrow(pen, middle.x - middle.alongX * head, middle.y - middle.alongY * head, middle.x, middle.y, head);
+      for (const { x, y, alongX, alongY } of headsOf(line)) arrow(pen, x - 2 * alongX * head, y - 2 * alongY * head, x, y, head);
     }
   }
   pen.restore();
 }
 
-/** The place in the middle of a line and its way there; none where the line is too short for a head. */
-function middleOf(line: { x: number; y: number }[]) {
+/** Between the heads of a line, and the shortest that has one, in pixels. */
+const APART = 110;
+const SHORTEST = 20;
+
+/** The places of heads on a line and its way there: evenly along it, one in its middle where it is short, none where it is too short. */
+function headsOf(line: { x: number; y: number }[]) {
   const lengths = line.slice(1).map((point, k) => Math.hypot(point.x - line[k].x, point.y - line[k].y));
   const whole = lengths.reduce((sum, length) => sum + length, 0);
-  if (whole < 20) return null;
-  let left = whole / 2;
-  const k = lengths.findIndex((length) => (left -= length) <= 0);
-  const [from, to, length] = [line[k], line[k + 1], lengths[k]];
-  const [alongX, alongY] = [(to.x - from.x) / length, (to.y - from.y) / length];
-  return { x: to.x + left * alongX, y: to.y + left * alongY, alongX, alongY };
+  const heads: { x: number; y: number; alongX: number; alongY: number }[] = [];
+  if (whole < SHORTEST) return heads;
+  const apart = whole / Math.max(1, Math.round(whole / APART));
+  let next = apart / 2;
+  lengths.forEach((length, k) => {
+    const [alongX, alongY] = [(line[k + 1].x - line[k].x) / length, (line[k + 1].y - line[k].y) / length];
+    for (; next <= length; next += apart) heads.push({ x: line[k].x + next * alongX, y: line[k].y + next * alongY, alongX, alongY });
+    next -= length;
+  });
+  return heads;
 }
 
 /** A line that ends in a head, which is shorter where the line is. */
