@@ -2,7 +2,7 @@
 //!
 //! A part is a body or an interface; its name and kind come from the result files ([`names`]). What the field files hold
 //! goes in as it is: places in u16 steps, scalars in 255 levels between their extremes over all times, displacement in i16
-//! steps about the mean of the model at that time. The flow of water goes in as arrows; other vectors and tensors stay in the files.
+//! steps about the mean of the model at that time. The flow of water goes in as lines; other vectors and tensors stay in the files.
 
 mod code;
 mod columns;
@@ -26,7 +26,7 @@ use self::encode::Common;
 use self::fit::{fit, size};
 use self::manifest::{Arrow, FlowHeld, Manifest, Moment, PartData, PartKind};
 use self::part::Part;
-use crate::flow;
+use crate::flow::{self, FlowCell};
 use crate::language::say;
 use crate::page::size::{VIEW, limit};
 use crate::script::blocks::{Blocks, json_element};
@@ -35,8 +35,12 @@ use crate::source::Source;
 /// Steps of displacement to each side of the mean where all that i16 holds would take too much.
 const COARSE: f64 = 2047.0;
 
-/// Of the flow of water, in the whole model.
-const ARROWS: usize = 800;
+/// Flow lines in the whole model: how many at most, how long all are, how far a line is from where it is, and how far behind a cut lines are shown,
+/// all over the diagonal of what is wet.
+const LINES: usize = 150;
+const LENGTH: f64 = 40.0;
+const OFF: f64 = 5e-4;
+const BESIDE: f64 = 0.03;
 
 /// The page's manifest of the view, its numbers in `blocks`; empty where there is nothing to draw or the case wants none.
 /// Where a file cannot be read the manifest has no parts, and a note that says why. `rest` is how many bytes all else of the
@@ -105,17 +109,20 @@ fn drawn(
     let mut solids: Vec<Part> = Vec::new();
     let mut mean = Vec::new();
     let (mut flows, mut flow_at) = (Vec::new(), Vec::new());
+    // What flows is the same at all times of an earthquake; its pressures, which change there, are those of the first.
+    let (mut flowing, mut now) = (None, None);
     for (time, snapshot) in pvd.snapshots().iter().enumerate() {
         let file = FieldFile::solids(&pvd.locate(snapshot)).map_err(|e| e.to_string())?;
         mean.push(file.displacement.as_deref().map_or([0.0; 3], mean_of));
         part::take(&mut solids, time, &file, 8, mean[time]);
-        flow_at.push(flow_of(&file).map(|flow| {
-            // In the earthquake it is the same at all times.
-            flows.iter().position(|known| *known == flow).unwrap_or_else(|| {
+        if file.discharge != flowing {
+            now = flow_of(&file).map(|flow| {
                 flows.push(flow);
                 flows.len() - 1
-            })
-        }));
+            });
+            flowing = file.discharge.clone();
+        }
+        flow_at.push(now);
     }
     let (interfaces, broken) = match interface::read(&source.folder.interfaces_pvd(), &moments, &solids) {
         Ok(interfaces) => (interfaces, None),
@@ -182,16 +189,27 @@ fn drawn(
     })
 }
 
-/// The flow of water in a file; nothing where it holds none or the water is still.
+/// The flow of water in a file, through what has water under pressure; nothing where it holds none or the water is still.
 fn flow_of(file: &FieldFile) -> Option<FlowHeld> {
-    let middle = |corners: &[u32; 8]| {
-        let at = |k: usize| corners.iter().map(|&corner| file.points[corner as usize][k]).sum::<f64>() / 8.0;
-        [0, 1, 2].map(at)
+    let p = file.scalars.iter().find(|scalar| scalar.at_cells && scalar.name == "p");
+    let cells = file.cells.iter().zip(file.discharge.as_ref()?).enumerate();
+    let wet = cells.filter(|(cell, _)| p.is_none_or(|p| p.values[*cell] > 0.0));
+    let flowing: Vec<FlowCell<3>> = wet
+        .map(|(_, (cell, q))| FlowCell {
+            corners: cell.corners.map(|corner| file.points[corner as usize]).to_vec(),
+            flow: q.map(f64::from),
+            wanted: true,
+        })
+        .collect();
+    let places = || flowing.iter().flat_map(|cell| &cell.corners);
+    let extent = |k: usize| {
+        let along = || places().map(|place| place[k]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
     };
-    let elements = file.cells.iter().zip(file.discharge.as_ref()?);
-    let elements: Vec<_> = elements.map(|(cell, q)| (middle(&cell.corners), q.map(f64::from))).collect();
-    let flow = flow::arrows(&elements, ARROWS);
-    (!flow.arrows.is_empty()).then(|| FlowHeld::of(&flow))
+    let diagonal = (0..3).map(|k| extent(k).powi(2)).sum::<f64>().sqrt();
+    let lines = flow::lines(&flowing, LENGTH * diagonal, LINES);
+    let lines: Vec<_> = lines.iter().map(|line| flow::thinned(line, OFF * diagonal)).collect();
+    (!lines.is_empty()).then(|| FlowHeld::of(&lines, BESIDE * diagonal))
 }
 
 /// The times of the files, or the stages.

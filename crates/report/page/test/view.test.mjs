@@ -248,13 +248,13 @@ test("a wave that comes in at 25° is an arrow of that slope, where no wave does
 /** Lines of flow are thin, so most of their points are a little lighter. */
 const flowPoints = (page) => pointsOf(page, FLOW, 40);
 
-/** A page of the small case to which water flows: these arrows at all times. */
-function flowing(arrows, side) {
+/** A page of the small case to which water flows: these lines at all times. */
+function flowing(lines, beside) {
   const folder = "flowing";
   const page = readFileSync(join(RESULTS, "english", "report.html"), "utf8");
   const changed = page.replace(/(<script[^>]*id="view-data"[^>]*>)([^<]*)(<\/script>)/, (_, open, json, close) => {
     const held = JSON.parse(json);
-    held.flows = [{ side, arrows }];
+    held.flows = [{ beside, lines }];
     held.flowAt = held.times.map(() => 0);
     return open + JSON.stringify(held).replaceAll("<", "\\u003c") + close;
   });
@@ -264,10 +264,10 @@ function flowing(arrows, side) {
   return folder;
 }
 
-test("water that flows is an arrow of its slope beside the cut, and none where it is not wanted or far from the cut", async () => {
-  // Across y is cut in the middle; of three arrows up at 30° one is beside it, one far behind, one cut away.
+test("water that flows is a line of its slope beside the cut, and none where it is not wanted or far from the cut", async () => {
+  // Across y is cut in the middle; of three lines up at 30° one is beside it, one far behind, one cut away.
   const way = [16 * Math.cos(Math.PI / 6), 0, 16 * Math.sin(Math.PI / 6)];
-  const at = (y) => [12, y, -70, ...way];
+  const at = (y) => [-1, 0, 1].flatMap((k) => [12 + (k * way[0]) / 2, y, -70 + (k * way[2]) / 2]);
   await withPage(running, flowing([at(0.5)], 1), async (page) => {
     await page.locator("#view").scrollIntoViewIfNeeded();
     await show(page, { look: "y", cut: { axis: 1, at: 0 } });

@@ -49,8 +49,8 @@ pub const TEXTS: Texts = &[
         "线条为有压与无压单元的分界，即按单元表示的浸润面。应注意洞室对岩体的疏干范围，以及紧邻衬砌背后的水压力。",
     ),
     (
-        "Arrows show where the water flows in the section; their length goes with the root of the discharge.",
-        "箭头表示剖面内的渗流方向，其长度与比流量的平方根成正比。",
+        "Thin lines with arrows are flow lines in the plane of the section, below the free surface alone: the closer they lie, the more water flows. They end where the water leaves the ground or the section.",
+        "带箭头的细线为剖面平面内浸润面以下的流线：流线越密，渗流量越大；流线止于水流出岩土体或离开剖面之处。",
     ),
     ("monitor", "监测点"),
     ("Monitors when the stages are done", "施工阶段结束时的监测点"),

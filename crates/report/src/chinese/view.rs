@@ -42,8 +42,8 @@ pub const TEXTS: Texts = &[
         "坐标轴旁的箭头为入射波：箭头指向波在基底岩体中的传播方向，细线为质点的振动方向。",
     ),
     (
-        "Arrows in the model show where the water flows, those beside a cut plane alone where one is set; their length goes with the root of the discharge, which the field seepage of the files holds.",
-        "模型中的箭头表示渗流方向；设有剖切面时只显示剖切面附近的箭头。箭头长度与比流量的平方根成正比，比流量的数值见结果文件中的 seepage。",
+        "Lines with arrows in the model are flow lines of the water below the free surface, those beside a cut plane alone where one is set; the closer they lie, the more water flows. The field seepage of the files holds the discharge.",
+        "模型中带箭头的线为浸润面以下的流线；设有剖切面时只显示剖切面附近的流线。流线越密，渗流量越大；比流量的数值见结果文件中的 seepage。",
     ),
     ("largest principal stress s1", "第一主应力 s1"),
     ("smallest principal stress s3", "第三主应力 s3"),

@@ -9,9 +9,9 @@ use crate::drawing::window::Window;
 /// Areas of one kind: name, colour and outlines.
 type LineKind = (String, &'static str, Vec<Vec<(f64, f64)>>);
 
-/// Units: an arrow shorter than the first is not seen as one, and no barb is longer than the second.
-const ARROW_LEAST: f64 = 3.0;
-const ARROW_BARB: f64 = 5.0;
+/// Units: of lines that lead somewhere, how long and how far apart the heads of arrows are.
+const HEAD: f64 = 5.0;
+const HEADS_APART: f64 = 130.0;
 
 /// The map in the making.
 pub struct Frame {
@@ -29,8 +29,8 @@ pub struct Frame {
     /// Lines over all else, and those on which the value is zero.
     shapes: Vec<Vec<(f64, f64)>>,
     zero: Vec<Vec<(f64, f64)>>,
-    /// Lines of arrows, thin.
-    arrows: Vec<Vec<(f64, f64)>>,
+    /// Lines that lead somewhere with the heads of their arrows, thin.
+    leading: Vec<Vec<(f64, f64)>>,
     points: Vec<(String, (f64, f64))>,
 }
 
@@ -51,7 +51,7 @@ impl Frame {
             borders: Vec::new(),
             shapes: Vec::new(),
             zero: Vec::new(),
-            arrows: Vec::new(),
+            leading: Vec::new(),
             points: Vec::new(),
         }
     }
@@ -151,20 +151,50 @@ impl Frame {
         self.shapes.extend(lines);
     }
 
-    /// An arrow from a tail to a head, over all but names; left out where it reaches out of the window.
-    pub fn arrow(&mut self, [tail, head]: [[f64; 2]; 2]) {
-        if ![tail, head].iter().all(|end| self.window.meets(&[*end])) {
+    /// A line that leads from its first point to its last, over all but names, with heads of arrows on what of it is seen.
+    pub fn leading(&mut self, line: &[[f64; 2]]) {
+        let mut seen: Vec<Vec<(f64, f64)>> = Vec::new();
+        let mut goes_on = false;
+        for ends in line.windows(2) {
+            let inside = self.window.meets(ends);
+            let [a, b] = [ends[0], ends[1]].map(|end| self.place(end));
+            match seen.last_mut() {
+                Some(part) if inside && goes_on => part.push(b),
+                _ if inside => seen.push(vec![a, b]),
+                _ => {}
+            }
+            goes_on = inside;
+        }
+        for part in seen {
+            self.heads(&part);
+            self.leading.push(part);
+        }
+    }
+
+    /// Heads in the middle of a line, or so far apart from each other along it.
+    fn heads(&mut self, line: &[(f64, f64)]) {
+        let length = |ends: &[(f64, f64)]| (ends[1].0 - ends[0].0).hypot(ends[1].1 - ends[0].1);
+        let whole: f64 = line.windows(2).map(length).sum();
+        let number = (whole / HEADS_APART).round().max(1.0);
+        let mut next = 0.5 * whole / number;
+        if whole < 3.0 * HEAD {
             return;
         }
-        let [(x, y), (to_x, to_y)] = [tail, head].map(|end| self.place(end));
-        let (along, down) = (to_x - x, to_y - y);
-        let length = along.hypot(down);
-        if length < ARROW_LEAST {
-            return;
+        let mut passed = 0.0;
+        for piece in line.windows(2) {
+            let ([x, y], [to_x, to_y]) = ([piece[0].0, piece[0].1], [piece[1].0, piece[1].1]);
+            let own = length(piece);
+            while next <= passed + own && own > 0.0 {
+                let (along, down) = ((to_x - x) / own, (to_y - y) / own);
+                let (x, y) = (x + (next - passed) * along, y + (next - passed) * down);
+                let tip = (x + 0.5 * HEAD * along, y + 0.5 * HEAD * down);
+                let back =
+                    |turn: f64| (tip.0 - HEAD * (along - turn * down), tip.1 - HEAD * (down + turn * along));
+                self.leading.push(vec![back(0.45), tip, back(-0.45)]);
+                next += whole / number;
+            }
+            passed += own;
         }
-        let barb = (0.4 * length).min(ARROW_BARB) / length;
-        let side = |turn: f64| (to_x - barb * (along - turn * down), to_y - barb * (down + turn * along));
-        self.arrows.extend([vec![(x, y), (to_x, to_y)], vec![side(0.5), (to_x, to_y), side(-0.5)]]);
     }
 
     /// A named point; left out if it is outside the window.
@@ -206,8 +236,8 @@ impl Frame {
         if !self.shapes.is_empty() {
             svg.shapes(&self.shapes);
         }
-        if !self.arrows.is_empty() {
-            svg.hatching(&self.arrows);
+        if !self.leading.is_empty() {
+            svg.hatching(&self.leading);
         }
         for (name, at) in &self.points {
             // A name that would be cut off at the map's edge ends there.

@@ -33,16 +33,16 @@ impl Map<'_> {
         self.figure_with(positions, &[], &|_| Vec::new())
     }
 
-    /// The same with more lines in it, and with arrows, each from its tail to its head, for what the window shows.
+    /// The same with more lines in it, and with lines that lead somewhere, for what the window shows.
     pub fn figure_with(
         &self,
         positions: &Positions,
         lines: &[Edge],
-        arrows: &dyn Fn(&Window) -> Vec<Edge>,
+        leading: &dyn Fn(&Window) -> Vec<Vec<[f64; 2]>>,
     ) -> Figure {
         let (language, cut) = (self.source.language, self.cut);
         let window = window(cut, positions, self.margin, |_| false);
-        let arrows = arrows(&window);
+        let leading = leading(&window);
         let seen: Vec<&CutCell> = cut.cells.iter().filter(|cell| window.meets(&cell.outline)).collect();
         let finite = || seen.iter().copied().filter(|cell| cell.value.is_finite());
         let low = finite().map(|cell| cell.value).fold(f64::INFINITY, f64::min);
@@ -56,7 +56,7 @@ impl Map<'_> {
         }
         frame.outlines(&borders);
         frame.shapes(lines);
-        arrows.into_iter().for_each(|arrow| frame.arrow(arrow));
+        leading.iter().for_each(|line| frame.leading(line));
         points(&mut frame, cut, positions);
         for cell in finite() {
             frame.cell(&cell.outline, cell.value * scale.factor);

@@ -5,7 +5,7 @@ use tremolite_results::{CutCell, Fields, Slice, Summary};
 use crate::chapter::figure::{Block, Figure};
 use crate::chapter::text_table::{Cell, Head, TextTable};
 use crate::drawing::window::Window;
-use crate::flow::{self, FlowArrow};
+use crate::flow::{self, FlowCell, FlowLine};
 use crate::language::say;
 use crate::quantities::scale::figures;
 use crate::section_maps::field_map::Map;
@@ -15,8 +15,11 @@ use crate::stages::names::called;
 
 /// Room around caverns, as a part of their extent: the water is drawn down farther than stresses are changed.
 const MARGIN: f64 = 1.0;
-/// On the section, so that each is well seen.
-const ARROWS: usize = 300;
+/// Flow lines on the section, so that each is well seen: how many at most, and how long all are over its diagonal.
+const LINES: usize = 120;
+const LENGTH: f64 = 12.0;
+/// How far a line is drawn from where it is at most, over the diagonal.
+const OFF: f64 = 2e-4;
 
 /// The table; nothing without seepage.
 pub fn table(source: &Source, facts: &Summary) -> Option<Block> {
@@ -79,7 +82,11 @@ pub fn map(
     if discharge.is_some() {
         look = language.joined(&[
             look,
-            say!(language, "Arrows show where the water flows in the section; their length goes with the root of the discharge."),
+            say!(
+                language,
+                "Thin lines with arrows are flow lines in the plane of the section, below the free surface alone: the closer they lie, the more water flows. \
+                 They end where the water leaves the ground or the section."
+            ),
         ]);
     }
     let map = Map {
@@ -93,21 +100,22 @@ pub fn map(
         lowest: false,
         margin: MARGIN,
     };
-    let arrows = |window: &Window| discharge.as_deref().map_or_else(Vec::new, |q| arrows(slice, q, window));
-    Some(map.figure_with(positions, &surface(&cut.cells), &arrows))
+    let lines =
+        |window: &Window| discharge.as_deref().map_or_else(Vec::new, |q| lines(slice, &cut.cells, q, window));
+    Some(map.figure_with(positions, &surface(&cut.cells), &lines))
 }
 
-/// The flow in the plane of the section where the window shows it, by the discharge of each cell (m/s): arrows from tail to head.
-fn arrows(slice: &Slice, discharge: &[[f64; 3]], window: &Window) -> Vec<Edge> {
-    let pieces = slice.pieces.iter().map(|piece| {
-        let number = piece.corners.len().max(1) as f64;
-        let middle = |i: usize| piece.corners.iter().map(|corner| corner.at[i]).sum::<f64>() / number;
-        let q = discharge[piece.cell];
-        ([middle(0), 0.0, middle(1)], [q[0], 0.0, q[2]])
+/// Flow lines in the plane of the section where the window shows them, by the discharge of each cell (m/s), through what has water under pressure.
+fn lines(slice: &Slice, cells: &[CutCell], discharge: &[[f64; 3]], window: &Window) -> Vec<FlowLine<2>> {
+    let wet = slice.pieces.iter().zip(cells).filter(|(_, cell)| cell.value > 0.0);
+    let flowing = wet.map(|(piece, cell)| {
+        let [x, _, z] = discharge[piece.cell];
+        FlowCell { corners: cell.outline.clone(), flow: [x, z], wanted: window.meets(&cell.outline) }
     });
-    let seen: Vec<_> = pieces.filter(|([x, _, z], _)| window.meets(&[[*x, *z]])).collect();
-    let end = |arrow: &FlowArrow, part: f64| [0, 2].map(|k| arrow.at[k] + part * arrow.way[k]);
-    flow::arrows(&seen, ARROWS).arrows.iter().map(|arrow| [end(arrow, -0.5), end(arrow, 0.5)]).collect()
+    let [width, height] = window.size();
+    let diagonal = width.hypot(height);
+    let found = flow::lines(&flowing.collect::<Vec<_>>(), LENGTH * diagonal, LINES);
+    found.iter().map(|line| flow::thinned(line, OFF * diagonal)).collect()
 }
 
 /// Edges between cells with pressure and cells without.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use tremolite_results::Wave;
 
-use crate::flow::Flow;
+use crate::flow::FlowLine;
 use crate::quantities::scale::trimmed;
 
 #[derive(Serialize)]
@@ -49,24 +49,21 @@ impl Arrow {
     }
 }
 
-/// Arrows of the flow of water.
+/// Flow lines of water.
 #[derive(PartialEq, Serialize)]
 pub struct FlowHeld {
-    /// The side of the cubes of which each has one (m).
-    pub side: f64,
-    /// The middle of each arrow and its way from tail to head: x, y, z, then along x, y, z (m).
-    pub arrows: Vec<[f64; 6]>,
+    /// How far behind a cut lines are shown (m).
+    pub beside: f64,
+    /// The points of each line, from where the water comes from to where it goes: x, y, z of one after the other (m).
+    pub lines: Vec<Vec<f64>>,
 }
 
 impl FlowHeld {
-    /// To a millimetre, which is far finer than what is seen.
-    pub fn of(flow: &Flow) -> FlowHeld {
-        let rounded = |x: f64| (x * 1e3).round() / 1e3;
-        let arrows = flow.arrows.iter().map(|arrow| {
-            let ([x, y, z], [along, across, up]) = (arrow.at, arrow.way);
-            [x, y, z, along, across, up].map(rounded)
-        });
-        FlowHeld { side: rounded(flow.side), arrows: arrows.collect() }
+    /// To a centimetre, which is finer than what is seen.
+    pub fn of(lines: &[FlowLine<3>], beside: f64) -> FlowHeld {
+        let rounded = |x: &f64| (x * 1e2).round() / 1e2;
+        let lines = lines.iter().map(|line| line.iter().flatten().map(rounded).collect());
+        FlowHeld { beside: rounded(&beside), lines: lines.collect() }
     }
 }
 

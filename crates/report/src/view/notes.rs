@@ -94,6 +94,6 @@ pub fn waves(language: Language) -> String {
 pub fn flow(language: Language) -> String {
     say!(
         language,
-        "Arrows in the model show where the water flows, those beside a cut plane alone where one is set; their length goes with the root of the discharge, which the field seepage of the files holds."
+        "Lines with arrows in the model are flow lines of the water below the free surface, those beside a cut plane alone where one is set; the closer they lie, the more water flows. The field seepage of the files holds the discharge."
     )
 }

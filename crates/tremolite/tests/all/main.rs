@@ -32,6 +32,7 @@ mod power_loss;
 mod ranks;
 mod ranks_bytes;
 mod ranks_pieces;
+mod ranks_water;
 mod ready;
 mod recorded;
 mod reinforcement;

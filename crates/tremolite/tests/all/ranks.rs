@@ -102,6 +102,13 @@ impl Case {
         files(folder.path(), state)
     }
 
+    /// Of others, those that leave the same files and state.
+    pub fn as_this<'a>(&self, others: &'a [(&'a str, Case)]) -> Vec<&'a str> {
+        let own = self.alone();
+        let same = |other: &Files| own.0 == other.0 && own.1 == other.1;
+        others.iter().filter(|(_, other)| same(&other.alone())).map(|(name, _)| *name).collect()
+    }
+
     /// On ranks that are threads, each with so many threads of its own.
     fn among(
         &self,

@@ -34,10 +34,10 @@ export interface WaveHeld {
   polarisation: [number, number, number];
 }
 
-/** Arrows of the flow of water, each alone in a cube of this side: x, y, z of its middle, then its way from tail to head, in m. */
+/** Flow lines of water, and how far behind a cut they are shown: x, y, z of the points of each, from where the water comes from, in m. */
 export interface FlowHeld {
-  side: number;
-  arrows: [number, number, number, number, number, number][];
+  beside: number;
+  lines: number[][];
 }
 
 /** The whole model: coordinates are origin + step * u16, displacements mean + displacementStep * i16, in SI. */

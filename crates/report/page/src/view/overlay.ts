@@ -17,8 +17,8 @@ export interface Overlay {
   nothing: string;
   /** In SI, with the unit to show it in. */
   bar: { range: Range; scheme: Scheme; shown: Shown; beyond: { below: boolean; above: boolean }; nothing: boolean } | null;
-  /** By panel: where it is, its lines of text, and the tails and heads of arrows of flow, relative to the model's centre. */
-  panels: { left: number; top: number; width: number; height: number; lines: string[]; flow: [Vector3, Vector3][] }[];
+  /** By panel: where it is, its lines of text, and the pieces of flow lines, relative to the model's centre. */
+  panels: { left: number; top: number; width: number; height: number; lines: string[]; flow: Vector3[][] }[];
   camera: Camera;
   waves: WaveHeld[];
 }
@@ -230,23 +230,48 @@ function drawWave(pen: CanvasRenderingContext2D, over: Overlay, wave: WaveHeld, 
   pen.textAlign = "start";
 }
 
-/** Arrows of flow as the camera sees them, with a light edge so that they are seen on any colour. */
+/** Flow lines as the camera sees them, with heads along each and a light edge so that they are seen on any colour. */
 function drawFlow(pen: CanvasRenderingContext2D, over: Overlay, panel: Overlay["panels"][number]) {
   const seen = (at: Vector3) => {
     const { x, y, z } = at.clone().project(over.camera);
     return { x: panel.left + ((x + 1) / 2) * panel.width, y: panel.top + ((1 - y) / 2) * panel.height, before: z < 1 };
   };
-  const arrows = panel.flow.map((ends) => ends.map(seen)).filter((ends) => ends.every((end) => end.before));
+  const lines = panel.flow.map((line) => line.map(seen)).filter((line) => line.every((point) => point.before));
   pen.save();
   pen.beginPath();
   pen.rect(panel.left, panel.top, panel.width, panel.height);
   pen.clip();
-  for (const [colour, width, head] of [["#ffffff", 3, 7], [FLOW, 1.3, 6]] as const) {
+  for (const [colour, width, head] of [["#ffffff", 2.6, 9], [FLOW, 1.1, 8]] as const) {
     pen.strokeStyle = pen.fillStyle = colour;
     pen.lineWidth = width;
-    for (const [tail, tip] of arrows) arrow(pen, tail.x, tail.y, tip.x, tip.y, head);
+    for (const line of lines) {
+      pen.beginPath();
+      line.forEach((point, k) => (k ? pen.lineTo(point.x, point.y) : pen.moveTo(point.x, point.y)));
+      pen.stroke();
+      for (const { x, y, alongX, alongY } of headsOf(line)) arrow(pen, x - 2 * alongX * head, y - 2 * alongY * head, x, y, head);
+    }
   }
   pen.restore();
+}
+
+/** Between the heads of a line, and the shortest that has one, in pixels. */
+const APART = 110;
+const SHORTEST = 20;
+
+/** The places of heads on a line and its way there: evenly along it, one in its middle where it is short, none where it is too short. */
+function headsOf(line: { x: number; y: number }[]) {
+  const lengths = line.slice(1).map((point, k) => Math.hypot(point.x - line[k].x, point.y - line[k].y));
+  const whole = lengths.reduce((sum, length) => sum + length, 0);
+  const heads: { x: number; y: number; alongX: number; alongY: number }[] = [];
+  if (whole < SHORTEST) return heads;
+  const apart = whole / Math.max(1, Math.round(whole / APART));
+  let next = apart / 2;
+  lengths.forEach((length, k) => {
+    const [alongX, alongY] = [(line[k + 1].x - line[k].x) / length, (line[k + 1].y - line[k].y) / length];
+    for (; next <= length; next += apart) heads.push({ x: line[k].x + next * alongX, y: line[k].y + next * alongY, alongX, alongY });
+    next -= length;
+  });
+  return heads;
 }
 
 /** A line that ends in a head, which is shorter where the line is. */
