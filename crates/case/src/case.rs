@@ -173,9 +173,7 @@ impl Case {
         let case = Case::assemble(path, &changed, &written);
         match case {
             Some(mut case) if problems.is_empty() => {
-                if case.interfaces.iter().any(|i| i.contact.is_some()) {
-                    case.output.show_interfaces(&mut defaulted);
-                }
+                case.output.show_all(&case.interfaces, &case.materials, &mut defaulted);
                 if !case.seeks_equilibrium() {
                     Initial::hide_search(&mut defaulted);
                 }

@@ -7,13 +7,18 @@ use tremolite_laws::parameter::Dimension;
 use crate::Spanned;
 use crate::defaulted::Defaulted;
 use crate::fields::Fields;
+use crate::interface::Interface;
 use crate::keys::{Key, Kind, Limit, Table};
+use crate::material::Material;
 
 const INTERVAL: Kind = Kind::Number(Dimension::TIME, Limit::Positive);
 const INTERVAL_OR_NONE: Kind = Kind::Either(&[Kind::Word(&["none"]), INTERVAL]);
 
-/// The field that is for cases with interfaces alone.
+/// The field that is for cases with interfaces alone, and the one for those with concrete that cracks.
 const OF_INTERFACES: &str = "interface";
+const OF_CRACKS: &str = "damage";
+/// How the names of laws that crack begin.
+const CRACKS: &str = "concrete";
 
 pub(crate) static OUTPUT: Table = Table {
     path: "output",
@@ -30,7 +35,7 @@ pub(crate) static OUTPUT: Table = Table {
             "fields",
             Kind::List(&Kind::Name, 0, 100),
             r#"["displacement", "velocity", "stress"]"#,
-            "Quantities in the field files; left out, also \"interface\" where one is not tied",
+            "Quantities in the field files; left out, also \"damage\" where concrete cracks, and \"interface\" where one is not tied",
         ),
         Key::default(
             "checkpoint",
@@ -71,10 +76,20 @@ impl Output {
         })
     }
 
-    /// Adds what belongs to interfaces to fields that were left out, and to what is said of them.
-    pub(crate) fn show_interfaces(&mut self, defaulted: &mut [Defaulted]) {
+    /// Adds to fields that were left out what belongs to interfaces and to concrete, and to what is said of them.
+    pub(crate) fn show_all(
+        &mut self,
+        interfaces: &[Interface],
+        materials: &[Material],
+        defaulted: &mut [Defaulted],
+    ) {
         let Some(said) = defaulted.iter_mut().find(|d| d.key == "output.fields") else { return };
-        self.fields.push(Spanned::new(OF_INTERFACES.to_owned(), self.span.clone()));
+        let cracks = materials.iter().any(|material| material.law.value.starts_with(CRACKS));
+        let parts = interfaces.iter().any(|interface| interface.contact.is_some());
+        for (_, name) in [(cracks, OF_CRACKS), (parts, OF_INTERFACES)].into_iter().filter(|(there, _)| *there)
+        {
+            self.fields.push(Spanned::new(name.to_owned(), self.span.clone()));
+        }
         let words: Vec<String> = self.fields.iter().map(|f| format!("\"{}\"", f.value)).collect();
         said.value = format!("[{}]", words.join(", "));
     }

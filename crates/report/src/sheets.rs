@@ -204,7 +204,7 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
         say!(language, "Plane waves come in from below; the ground beside the model is that of its sides."),
         say!(
             language,
-            "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; pieces that come loose are not followed."
+            "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; they may lie parallel to the wall, where bars round it do not cross them. Pieces that come loose are not followed."
         ),
     ];
     if source.shakes() && model::goes_by_rate(summary) {

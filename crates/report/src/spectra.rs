@@ -39,7 +39,7 @@ pub fn of_input(source: &Source) -> Option<Figure> {
         say!(language, "free field, base"),
         say!(language, "equivalent-linear column, surface"),
     ];
-    let pens = [(3, Pen::Curve), (2, Pen::Curve), (0, Pen::Dashed), (1, Pen::Dashed), (5, Pen::Dashed)];
+    let pens = [(3, Pen::Curve), (2, Pen::Curve), (0, Pen::Dashed), (1, Pen::Dotted), (5, Pen::Dashed)];
     let known: Vec<&SpectrumPlace> = points.iter().filter(|point| point.is_known()).collect();
     let axes_of = moving(&known);
     if axes_of.is_empty() {
@@ -55,7 +55,7 @@ pub fn of_input(source: &Source) -> Option<Figure> {
     if called.is_known() {
         let name = say!(language, "design spectrum of the motion given");
         let (colour, periods) = (4, Some(&target.period[..]));
-        drawn.push(DrawnSpectra { name, point: &called, colour, pen: Pen::Dashed, periods });
+        drawn.push(DrawnSpectra { name, point: &called, colour, pen: Pen::Marked, periods });
     }
     let title = say!(language, "Response spectra of the motion that comes in");
     let rows = [SpectraRow { name: "", drawn }];

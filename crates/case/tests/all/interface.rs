@@ -11,6 +11,7 @@ use crate::problems::{Bad, bad};
 
 const GOOD: &str = include_str!("../cases/every-key.toml");
 const FIRST_SHAKE: &str = include_str!("../../../../cases/first-shake/case.toml");
+const KIRSCH_HOLE: &str = include_str!("../../../../cases/kirsch-hole/case.toml");
 
 const SKETCH: &str = r#"
 [[interface]]
@@ -97,18 +98,21 @@ fn what_an_interface_leaves_out_is_listed_and_what_is_chosen_has_no_value() {
 }
 
 #[test]
-fn fields_that_are_left_out_hold_those_of_interfaces_where_there_are_any() {
+fn fields_that_are_left_out_hold_those_of_cracks_and_interfaces_where_there_are_any() {
     let (before, rest) = FIRST_SHAKE.split_once("[output]").expect("the output");
     let fields = |source: &str| {
         let case = read(source);
         let said = case.defaulted.iter().find(|d| d.key == "output.fields").map(|d| d.value.clone());
         (case.output.fields.iter().map(|f| f.value.clone()).collect::<Vec<_>>(), said)
     };
-    let usual = ["displacement", "velocity", "stress"];
+    // Its concrete cracks; of a hole in elastic rock nothing does.
+    let (hole, _) = KIRSCH_HOLE.split_once("[output]").expect("the output");
+    assert_eq!(fields(hole).0, ["displacement", "velocity", "stress"]);
+    let usual = ["displacement", "velocity", "stress", "damage"];
     let said = |fields: &str| Some(format!("[{fields}]"));
-    let words = r#""displacement", "velocity", "stress""#;
+    let words = r#""displacement", "velocity", "stress", "damage""#;
     assert_eq!(fields(before), (usual.map(String::from).to_vec(), said(words)));
-    let with = ["displacement", "velocity", "stress", "interface"].map(String::from).to_vec();
+    let with = ["displacement", "velocity", "stress", "damage", "interface"].map(String::from).to_vec();
     let expected = (with, said(&format!("{words}, \"interface\"")));
     assert_eq!(fields(&format!("{before}{SKETCH}")), expected);
     assert_eq!(fields(&format!("{before}[output]\nhistories = \"0.02 s\"\n{SKETCH}")), expected);

@@ -42,10 +42,12 @@ pub struct BasePart {
     nodes: Vec<u32>,
     pushed: Vec<BaseNode>,
     free_field: FreeField,
-    /// The points of all faces with their normals, each once though up to four nodes share it, and by node which are its own, with N dA
-    /// \[m²\].
+    /// The points of all faces with their normals, each once though up to four nodes share it.
     points: Vec<[[f64; 3]; 2]>,
-    of_node: Vec<Vec<(u32, f64)>>,
+    /// Node after node, which points are its own, with N dA \[m²\], and where those of each end: one piece of memory, which is gone through in
+    /// every step.
+    shares: Vec<(u32, f64)>,
+    share_ends: Vec<usize>,
     /// By node what it takes beside, at edges of the model.
     ends: Vec<Vec<(u32, End)>>,
 }
@@ -61,18 +63,25 @@ impl BasePart {
                 points.len() as u32 - 1
             })
         };
-        let (mut of_node, mut ends) = (Vec::new(), Vec::new());
+        let (mut shares, mut share_ends, mut ends) = (Vec::new(), Vec::new(), Vec::new());
         for base in &mut pushed {
             let share = |(at, area): ([f64; 3], [f64; 3])| {
                 let size = area.iter().map(|x| x * x).sum::<f64>().sqrt();
                 (number(at, area.map(|x| x / size)), size)
             };
-            of_node.push(std::mem::take(&mut base.place.shares).into_iter().map(share).collect());
+            shares.extend(std::mem::take(&mut base.place.shares).into_iter().map(share));
+            share_ends.push(shares.len());
             let end = |end: End| (number(end.at, end.normal), end);
             ends.push(std::mem::take(&mut base.place.ends).into_iter().map(end).collect());
         }
         let nodes = pushed.iter().map(|b| b.node).collect();
-        BasePart { nodes, pushed, free_field, points, of_node, ends }
+        BasePart { nodes, pushed, free_field, points, shares, share_ends, ends }
+    }
+
+    /// By node its points, with N dA \[m²\].
+    fn of_nodes(&self) -> impl Iterator<Item = &[(u32, f64)]> {
+        let begins = std::iter::once(&0).chain(&self.share_ends);
+        begins.zip(&self.share_ends).map(|(&begin, &end)| &self.shares[begin..end])
     }
 }
 
@@ -85,8 +94,8 @@ impl Part for BasePart {
     }
 
     fn bytes(&self) -> usize {
-        let BasePart { nodes, pushed, points, of_node, ends, .. } = self;
-        let shares: usize = of_node.iter().map(|own| size_of_val(own) + size_of_val(&own[..])).sum();
+        let BasePart { nodes, pushed, points, shares, share_ends, ends, .. } = self;
+        let shares = size_of_val(&shares[..]) + size_of_val(&share_ends[..]);
         let ends: usize = ends.iter().map(|own| size_of_val(own) + size_of_val(&own[..])).sum();
         size_of_val(&nodes[..]) + size_of_val(&pushed[..]) + size_of_val(&points[..]) + shares + ends
     }
@@ -113,7 +122,7 @@ impl Part for BasePart {
         let tractions: Vec<[f64; 3]> =
             stresses.iter().zip(&self.points).map(|(stress, [_, normal])| times(stress, *normal)).collect();
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
-        let beside = self.of_node.iter().zip(&self.ends);
+        let beside = self.of_nodes().zip(&self.ends);
         for (((base, (points, ends)), out), last) in self.pushed.iter().zip(beside).zip(out).zip(last) {
             let du = x.increment(base.node).xyz();
             let scattered = if base.is_sprung() { base.scattered(&now, x.u) } else { [0.0; 3] };
@@ -189,7 +198,8 @@ mod tests {
         assert_eq!(part.points.len(), 2);
         let now = part.free_field.now(0.0);
         let stresses = now.stresses(part.points.iter().map(|[at, _]| *at));
-        let tractions = part.of_node[0]
+        let tractions = part
+            .shares
             .iter()
             .map(|&(k, area)| (times(&stresses[k as usize], part.points[k as usize][1]), area));
         assert_eq!(now.push(&[0.0; 6], tractions, std::iter::empty()), [-4.0, -3.0, 0.0]);

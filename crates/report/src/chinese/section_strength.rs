@@ -3,7 +3,7 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
-    ("{lining}: N and M against the strength of the sections", "{lining}：N、M 与断面承载力"),
+    ("{lining}: N and M against the strength of the sections", "{lining}：N、M 与截面承载力"),
     ("each station at its largest utilisation", "各断面利用率最大时"),
     ("{thickness} m, without bars ({stations} stations)", "厚 {thickness} m，无筋（{stations} 个断面）"),
     (

@@ -88,7 +88,7 @@ pub const TEXTS: Texts = &[
     ("Reinforcement {name}: no bar yielded.", "{name} 的钢筋：均未屈服。"),
     (
         "Reinforcement {name}: no bar yielded, as a mean over an element; largest force {share} of yield.",
-        "{name} 的钢筋：按单元平均均未屈服；最大受力为屈服力的 {share}。",
+        "{name} 的钢筋：按单元平均均未屈服；最大轴力为屈服力的 {share}。",
     ),
     ("{first} Crushed or sheared in {share} of its volume.", "{first}压碎或剪切破坏体积占 {share}。"),
     ("Reinforcement {name}: bars yielded, none broke.", "{name} 的钢筋：有屈服，无拉断。"),

@@ -65,11 +65,12 @@ impl MapRow {
     pub fn draw(&self, title: &str, maps: &[(String, Frame)], description: &str) -> String {
         let mut svg = Svg::new(self.width);
         svg.text((LEFT, TITLE - 12.0), Anchor::Start, 14.0, Style::Bold, title);
-        // On a narrow figure a name has all up to the bar, and two lines if it needs them.
-        let narrow = self.width < WIDTH && !self.beside;
-        let names = |(name, frame): &(String, Frame)| match narrow {
-            true => halves(name, LEFT + frame.size().0 - EDGE).map(str::to_owned),
-            false => [String::new(), name.clone()],
+        // On a narrow figure a name has two lines if it needs them; beside other maps its map's width, else all up to the bar.
+        let narrow = self.width < WIDTH;
+        let names = |(name, frame): &(String, Frame)| match (narrow, self.beside) {
+            (true, true) => halves(name, frame.size().0).map(str::to_owned),
+            (true, false) => halves(name, LEFT + frame.size().0 - EDGE).map(str::to_owned),
+            (false, _) => [String::new(), name.clone()],
         };
         let names: Vec<[String; 2]> = maps.iter().map(names).collect();
         let mut line = if names.iter().any(|[_, name]| !name.is_empty()) { LINE } else { 0.0 };
@@ -80,8 +81,7 @@ impl MapRow {
         for (k, ((_, frame), name)) in maps.iter().zip(&names).enumerate() {
             frame.paint(&mut svg, at, k == 0 || !self.beside);
             let (width, height) = frame.size();
-            // Beside other maps a name has its map's width.
-            let from = if narrow { EDGE } else { at.0 };
+            let from = if narrow && !self.beside { EDGE } else { at.0 };
             let room = if self.beside || narrow { at.0 + width - from } else { self.width - LEFT };
             for (words, up) in name.iter().zip([8.0 + SECOND, 8.0]) {
                 let size = 13.0 * (room / text_width(words, 13.0)).min(1.0);

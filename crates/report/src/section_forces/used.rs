@@ -88,7 +88,8 @@ fn table(source: &Source, facts: &Summary) -> TextTable {
     ];
     let mut rows = Vec::new();
     for (lining, of) in &facts.parts.sections {
-        let each = [(say!(language, "thrust and moment"), &of.bending), (say!(language, "shear"), &of.shear)];
+        let each =
+            [(say!(language, "thrust and moment"), &of.bending), (say!(language, "shear force"), &of.shear)];
         for (k, (what, used)) in each.into_iter().enumerate() {
             let Some(used) = used else { continue };
             let mut row = vec![Cell::words(if k == 0 { lining.as_str() } else { "" }), Cell::words(what)];

@@ -34,9 +34,18 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         None => facts.push(card(say!(language, "Meant"), place, "")),
     }
     let mut peaks_told: Vec<String> = Vec::new();
+    // A code's peak is that of an outcrop, where the wave that comes in moves rock by half as much.
+    let outcrop: Vec<(String, f64)> = match motion.kind.as_str() {
+        "incident" => {
+            motion.peak_acceleration.iter().map(|(axis, peak)| (axis.clone(), 2.0 * peak)).collect()
+        }
+        _ => Vec::new(),
+    };
+    let outcrop = outcrop.into_iter().collect();
     for (peaks, label) in [
         (&motion.given_peak_acceleration, say!(language, "Peak acceleration, motion given")),
         (&motion.peak_acceleration, say!(language, "Peak acceleration, incident wave")),
+        (&outcrop, say!(language, "Peak acceleration, rock outcrop")),
     ] {
         let most = peaks.values().fold(0.0_f64, |most, peak| most.max(peak.abs()));
         // Round-off of a component that the record does not have is no motion.

@@ -9,6 +9,7 @@ use crate::language::say;
 use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
 use crate::section_forces::used::{left, overloaded, place, shown};
+use crate::sheets::model::of_another_concrete;
 use crate::source::Source;
 use crate::source::monitor_pairs::held;
 use crate::verdict::short_names::percent;
@@ -164,7 +165,8 @@ fn modelled(source: &Source, summary: &Summary) -> Found {
     let (name, cracks) = all.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a })?;
     match cracks.widest {
         Some(_) => {
-            let note = say!(source.language, "{lining}, widest in the run", lining = name);
+            let note =
+                say!(source.language, "{lining}, widest in the run, in whatever direction", lining = name);
             Some((cracks.opening, opening(source, cracks), note))
         }
         None => Some((0.0, say!(source.language, "none"), String::new())),
@@ -197,6 +199,10 @@ fn utilisation(source: &Source, summary: &Summary) -> Found {
     let mut note = format!("{way}{}{lining} {}", say!(language, ", "), place(source, &used));
     if summary.parts.sections.get(&lining).is_some_and(|of| of.yields) {
         note.push_str(&say!(language, "; a cross-check, since this lining can crack"));
+        let of = summary.parts.sections.get(&lining);
+        if of.is_some_and(|of| of_another_concrete(summary, of).is_some()) {
+            note.push_str(&say!(language, ", and of another concrete than the model's"));
+        }
     }
     Some((size(used.value), shown(used.value), note))
 }

@@ -86,7 +86,7 @@ const STRENGTH: &str = "compressive_strength";
 const ALIKE: f64 = 0.25;
 
 /// The compressive strength of the concrete of the model where it is not that of the section.
-fn of_another_concrete(summary: &Summary, of: &SectionStrength) -> Option<f64> {
+pub fn of_another_concrete(summary: &Summary, of: &SectionStrength) -> Option<f64> {
     let strengths = summary.computed.materials.values().filter(|facts| facts.law.starts_with("concrete"));
     let strengths = strengths.flat_map(|facts| &facts.values).filter(|value| value.name == STRENGTH);
     let characteristic = of.compression * of.factors.gamma_c / of.factors.alpha_cc;

@@ -26,7 +26,7 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
         say!(language, "stations above 1"),
     ];
     let of_model = [
-        say!(language, "cracked volume"),
+        say!(language, "cracked volume (D⁺ > 0.5)"),
         say!(language, "widest crack"),
         say!(language, "through the thickness"),
     ];

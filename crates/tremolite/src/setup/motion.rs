@@ -44,7 +44,11 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
     }
     warnings.extend(doubts::of_window(motion, whole, &mut channels, &steps));
     warnings.extend(doubts::of_peak(motion, &mut channels, &steps));
-    let (source, window) = channels.facts();
+    let (mut source, window) = channels.facts();
+    let process: Vec<&str> = motion.process.iter().map(|step| step.value.as_str()).collect();
+    if !process.is_empty() {
+        source = format!("{source}; {}", process.join(", "));
+    }
     let made = channels.geographic().and_then(|ground| {
         Motion::from_acceleration(ground.dt, ground.model_axes(motion.model_x_azimuth.value))
     });

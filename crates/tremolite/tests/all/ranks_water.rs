@@ -67,6 +67,10 @@ fn seepage_to_a_lined_hall_and_an_undrained_earthquake_give_the_same_on_several_
         ("interface[0].water", "{ factor = 0.4 }"),
     ];
     let others = others.map(|change| (change.0, case(hall(&[change]))));
-    assert!(whole.as_this(&others).is_empty(), "each of them changes something: {:?}", whole.as_this(&others));
+    assert!(
+        whole.as_this(&others).is_empty(),
+        "each of them changes something: {:?}",
+        whole.as_this(&others)
+    );
     whole.holds("wet hall", &ways);
 }
