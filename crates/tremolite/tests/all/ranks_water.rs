@@ -3,7 +3,6 @@
 use crate::ranks::{Case, how};
 use crate::ready::Ready;
 use std::path::Path;
-use std::sync::Arc;
 use tremolite::job::{Given, Job, Loaded};
 use tremolite_case::Change;
 
