@@ -228,7 +228,7 @@ fn shaken(mut problem: Problem) -> Problem {
 
 /// Ground under initial stress with a layer that cracks, a joint that slides, anchors with friction, bars that yield, a pit that is dug, and
 /// a free field.
-fn pit_problem() -> Problem {
+pub fn pit_problem() -> Problem {
     pit_of(bolts_bits::bolted(Isa::best()))
 }
 
@@ -242,11 +242,11 @@ pub fn pit_of(bolted: Problem) -> Problem {
     problem
 }
 
-pub fn pit() -> Case {
+fn pit() -> Case {
     pit_case(pit_problem())
 }
 
-fn pit_case(problem: Problem) -> Case {
+pub fn pit_case(problem: Problem) -> Case {
     let mut case = Case::new(problem, &["start", "bolts", "pit"], 0.012);
     case.plan.bolts = vec![BoltMonitor { name: "anchor".into(), point: [3.0, 3.0, 10.0], set: 0 }];
     case.plan.pairs = vec![PairMonitor { name: "pair".into(), point: [6.0, 5.0, 6.0], interface: 0 }];
