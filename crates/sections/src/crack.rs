@@ -84,7 +84,8 @@ impl CrackRule {
         let stiffened = (stress - LASTING * self.tension / share * (1.0 + ratio * share)) / next.young;
         let mean = stiffened.max(LEAST * stress / next.young);
         let cover = to_face - 0.5 * self.diameter;
-        let bent = (near + far.max(0.0)) / (2.0 * near);
+        // k_2 is of the section, by the greater strain of both faces, at the face that opens less too.
+        let bent = (near.max(far) + near.min(far).max(0.0)) / (2.0 * near.max(far));
         let between = 0.25 * std::f64::consts::PI * self.diameter * self.diameter / next.area;
         let spacing = if between <= 5.0 * (cover + 0.5 * self.diameter) {
             COVERS * cover + BOND * bent * DIAMETERS * self.diameter / share

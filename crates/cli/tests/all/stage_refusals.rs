@@ -122,3 +122,19 @@ fn checks_of_what_came_before_fail_where_they_should() {
     let alone = verdicts(found(level, ""));
     assert_eq!((alone[1], alone[2]), (None, Some(false)));
 }
+
+/// A bench that is left out of a list of them leaves the lining beside solid rock.
+#[test]
+fn a_bench_that_no_stage_takes_out_is_warned_of() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(tremolite(folder.path(), &["new", "study"]).status.success());
+    let warned = |benches: &str| {
+        let (three, taken) = ("mesh.caverns.cavern[0].benches=3", format!("stage[0].excavate={benches}"));
+        let output = tremolite(folder.path(), &["check", "study/case.toml", "--set", three, "--set", &taken]);
+        assert_eq!(code(&output), 0, "{}", errors(&output));
+        errors(&output)
+    };
+    let words = "no stage takes out hall.bench2, though other benches of the cavern go";
+    assert!(warned(r#"["hall.bench1", "hall.bench3"]"#).contains(words));
+    assert!(!warned(r#"["hall.bench*"]"#).contains("no stage takes out"));
+}

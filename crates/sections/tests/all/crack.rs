@@ -44,6 +44,27 @@ fn a_pulled_wall_is_that_of_the_hand_calculation() {
     assert!((crack.width / 0.3764e-3 - 1.0).abs() < 2e-4, "{crack:?}");
 }
 
+/// The same wall pulled by 300 kN/m off its middle by 10 kN m/m, all of it cracked: 185.71 and 114.29 kN/m in the bars, 88.672 and 54.568 MPa, strains of the
+/// faces as 95.98 to 47.26, k_2 = 0.7462 at both, s_r,max = 3.4 · 50 + 0.8 · 0.7462 · 0.425 · 20/0.013963 = 533.4 mm, w_k = 533.4 mm · 0.6 · 88.672/200,000 = 0.14189 mm.
+/// With the lesser strain below in k_2 the face that opens less had the wider crack, 0.1486 mm.
+#[test]
+fn a_wall_pulled_off_its_middle_is_that_of_the_hand_calculation() {
+    let wall = section(0.4, &[layer(2094.4e-6, 0.14), layer(2094.4e-6, -0.14)]);
+    let rule = CrackRule::en(25e6, 0.020);
+    for m in [10e3, -10e3] {
+        let crack = rule.crack(&wall, [300e3, m]).unwrap();
+        assert!((crack.stress / 88.672e6 - 1.0).abs() < 1e-4 && crack.compressed == 0.0, "{crack:?}");
+        assert!((crack.spacing / 0.5334 - 1.0).abs() < 1e-4, "{crack:?}");
+        assert!((crack.width / 0.14189e-3 - 1.0).abs() < 2e-4, "{crack:?}");
+    }
+    // No spacing is beyond that of even tension.
+    let even = rule.crack(&wall, [300e3, 0.0]).unwrap().spacing;
+    for m in (0..=41).map(|k| 1e3 * f64::from(k)) {
+        let crack = rule.crack(&wall, [300e3, m]).unwrap();
+        assert!(crack.spacing <= even * (1.0 + 1e-9), "{m}: {crack:?}");
+    }
+}
+
 /// Equilibrium by summing strips of the strain that the crack tells of, over thrusts and moments of either sign; turned over the section has the
 /// same crack.
 #[test]

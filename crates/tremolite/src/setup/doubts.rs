@@ -183,7 +183,7 @@ pub fn of_mass_damping(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
                  have 1 to 5 %",
                 100.0 * ratio
             ),
-            "give less, or damping over a band: damping = { ratio = 0.03, band = [\"0.5 Hz\", \"20 Hz\"] }",
+            "give less, or damping over a band: damping = { ratio = 0.03, band = [\"0.5 Hz\", \"20 Hz\"], reference = \"0 Hz\" }",
         )
     })
 }

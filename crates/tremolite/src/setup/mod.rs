@@ -265,6 +265,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(warnings::of_tetrahedra(case, &mesh, &lasting, &in_pores));
     warnings.extend(warnings::of_plateaus(case, &mesh, &lasting));
     warnings.extend(stages::warnings(case));
+    warnings.extend(stages::forgotten(case, &mesh));
     warnings.extend(places::warnings(case, &taken));
     warnings.extend(of_bolts);
     warnings.extend(bare);

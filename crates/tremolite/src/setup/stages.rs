@@ -349,6 +349,34 @@ fn fitting(written: &Spanned<String>, mesh: &Mesh, problems: &mut Vec<Diagnostic
     Some(elements)
 }
 
+/// Benches that no stage takes out though others of their cavern go: of a generated mesh their names say what is to be dug.
+pub fn forgotten(case: &Case, mesh: &Mesh) -> Option<Diagnostic> {
+    if !matches!(case.mesh, case::Mesh::Caverns(_)) {
+        return None;
+    }
+    let dug = |name: &str| {
+        let mut patterns = case.stages.iter().flat_map(|stage| &stage.excavate);
+        patterns.any(|written| pattern::matches(written, name))
+    };
+    let cavern_of = |name: &str| {
+        let (cavern, number) = name.rsplit_once(".bench")?;
+        number.parse::<u32>().ok().map(|_| cavern.to_owned())
+    };
+    let benches: Vec<(String, &String)> =
+        mesh.groups.keys().filter_map(|name| Some((cavern_of(name)?, name))).collect();
+    let begun = |cavern: &str| benches.iter().any(|(of, name)| of == cavern && dug(name));
+    let left = benches.iter().filter(|(cavern, name)| !dug(name) && begun(cavern));
+    let left: Vec<&str> = left.map(|(_, name)| name.as_str()).collect();
+    let last = case.stages.iter().rev().find(|stage| !stage.excavate.is_empty())?;
+    (!left.is_empty()).then(|| {
+        Diagnostic::at(
+            &last.name,
+            format!("no stage takes out {}, though other benches of the cavern go", left.join(", ")),
+            "excavate it in a stage, this one or another",
+        )
+    })
+}
+
 /// What is unusual about a case's stages.
 pub fn warnings(case: &Case) -> Vec<Diagnostic> {
     let mut warnings = Vec::new();
