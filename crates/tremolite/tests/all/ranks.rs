@@ -557,11 +557,11 @@ fn a_run_goes_on_with_other_ranks_and_takes_over_from_other_ranks() {
     same("begun with another's rest", &begun, &case.among(how(3, 2, false), begin).0);
 }
 
-/// Both ends of the block are on different ranks.
+/// Both ends of the block are on different ranks: it is so long that it is cut across.
 #[test]
 fn what_a_part_did_not_name_its_rank_does_not_have() {
     let far = |named: bool| {
-        let mut problem = shaken(block([4, 4, 5]));
+        let mut problem = shaken(block([3, 3, 24]));
         problem.patch_elements = Some(8);
         problem.base = Base::Viscous;
         problem.parts = vec![Arc::new(move |_: &_, engine_node: &[u32]| {
