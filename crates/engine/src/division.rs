@@ -32,10 +32,17 @@ pub struct Division {
 /// Moving a node once, where 1 is an update of an elastic brick.
 const MOVED: f64 = 0.25;
 
+/// What cracks takes this much more work once it has, of what it took sound.
+const CRACKED: f64 = 1.0;
+/// The history by which a law is known that cracks.
+const CRACKS: &str = "d_tension";
+
 /// Work of each patch once its elements and nodes are due, by the level at which they are.
 struct Works {
     levels: usize,
     all: Vec<f64>,
+    /// What cracks adds.
+    cracked: Vec<f64>,
 }
 
 impl Works {
@@ -43,20 +50,27 @@ impl Works {
     fn new(model: &Model, assembly: &Assembly, touched: &[Vec<u32>]) -> Self {
         let levels = usize::from(model.nodes.coarsest()) + 1;
         let mut all = vec![0.0; levels * model.patches.len()];
+        let mut cracked = all.clone();
         for (p, patch) in model.patches.iter().enumerate() {
-            all[levels * p + usize::from(patch.level)] += update(model, assembly, p);
+            let (update, at) = (update(model, assembly, p), levels * p + usize::from(patch.level));
+            all[at] += update;
+            let part = &assembly.members[assembly.of_patch[p] as usize].part;
+            if part.columns().iter().any(|column| column.name == CRACKS) {
+                cracked[at] += CRACKED * update;
+            }
         }
         for (patches, &level) in touched.iter().zip(&model.nodes.level) {
             if let Some(&first) = patches.first() {
                 all[levels * first as usize + usize::from(level)] += MOVED;
             }
         }
-        Works { levels, all }
+        Works { levels, all, cracked }
     }
 
-    /// Work of a patch in a step at which levels up to one are due.
-    fn up_to(&self, patch: usize, level: u8) -> f64 {
-        self.all[self.levels * patch..][..=usize::from(level)].iter().sum()
+    /// Work of a patch in a step at which levels up to one are due, with a share of all cracked that may crack.
+    fn up_to(&self, patch: usize, level: u8, cracked: f64) -> f64 {
+        let sum = |of: &[f64]| of[self.levels * patch..][..=usize::from(level)].iter().sum::<f64>();
+        sum(&self.all) + cracked * sum(&self.cracked)
     }
 
     /// The sum over the steps of the finest level in one of the coarsest of what is found for the levels that are due in it.
@@ -124,7 +138,7 @@ impl Division {
             .collect();
         let each = |level: u8| {
             let mut each = vec![0.0; ranks as usize];
-            (0..).zip(of_patch).for_each(|(p, &rank)| each[rank as usize] += works.up_to(p, level));
+            (0..).zip(of_patch).for_each(|(p, &rank)| each[rank as usize] += works.up_to(p, level, 0.0));
             each
         };
         let slowest = works.by_beat(|level| each(level).into_iter().fold(0.0, f64::max));
@@ -156,7 +170,7 @@ fn update(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
     let patch = &model.patches[patch];
     let (elements, points) = part.elements();
     let of_point = match model.bodies[patch.body].quadrature {
-        Quadrature::Layered(_) => 0.55,
+        Quadrature::Layered(_) => 0.9,
         Quadrature::OnePoint | Quadrature::Full => 1.0,
     };
     let element = 0.6 + points as f64 * of_point * (0.4 + 0.03 * part.columns().len() as f64);

@@ -2,7 +2,7 @@
 //!
 //! Ranks wait for one another in every step of the finest level, and of a coarser level only some steps have work. So equal work in all is not
 //! enough: a rank that has the fine elements and one that has the coarse ones would wait for each other in turn. Patches of each level are cut
-//! by themselves along one order, and of some orders that one is taken which leaves ranks least to wait for and to move twice.
+//! by themselves along one order, and of some orders that one is taken which leaves ranks least to wait for, sound and cracked, and to move twice.
 
 use super::{MOVED, Works};
 use crate::model::Model;
@@ -91,7 +91,7 @@ impl<'a> Cut<'a> {
         let mut halves = [Vec::new(), Vec::new()];
         for lot in order.chunk_by(|&p, &q| self.level[p as usize] == self.level[q as usize]) {
             let level = self.level[lot[0] as usize];
-            let work = |p: &u32| self.works.up_to(*p as usize, level);
+            let work = |p: &u32| self.works.up_to(*p as usize, level, 0.5);
             let whole: f64 = halves.iter().flatten().chain(lot).map(work).sum();
             let mut sum: f64 = halves[0].iter().map(work).sum();
             // A patch goes where more of it lies.
@@ -110,11 +110,17 @@ impl<'a> Cut<'a> {
     /// What each of so many ranks waits, sends and moves twice in a step of the coarsest level.
     fn lost(&self, halves: &[Vec<u32>; 2], counts: [f64; 2]) -> f64 {
         let ranks = counts[0] + counts[1];
-        let waited = self.works.by_beat(|level| {
-            let [a, b] =
-                [0, 1].map(|k| halves[k].iter().map(|&p| self.works.up_to(p as usize, level)).sum::<f64>());
-            (a / counts[0]).max(b / counts[1]) - (a + b) / ranks
-        });
+        let waited = |cracked: f64| {
+            self.works.by_beat(|level| {
+                let work = |half: &Vec<u32>| {
+                    half.iter().map(|&p| self.works.up_to(p as usize, level, cracked)).sum::<f64>()
+                };
+                let [a, b] = [&halves[0], &halves[1]].map(work);
+                (a / counts[0]).max(b / counts[1]) - (a + b) / ranks
+            })
+        };
+        // One lining may crack before the other.
+        let waited = 0.5 * (waited(0.0) + waited(1.0));
         let mut second = vec![false; self.level.len()];
         halves[1].iter().for_each(|&p| second[p as usize] = true);
         let shared =
