@@ -1,4 +1,4 @@
-//! A grid in several files: a PVTU file, which names the files of its pieces and the arrays that all of them have.
+//! A grid in one file or in several: a PVTU file, which names the files of its pieces and the arrays that all of them have.
 //!
 //! Of points on the border of pieces each piece has its own. Where a point array [`NODE`] numbers them, they are one again in what is read,
 //! in the order of these numbers.
@@ -20,6 +20,23 @@ pub const NODE: &str = "node";
 
 /// VTK's word for what a PVTU file is.
 const KIND: &str = "PUnstructuredGrid";
+
+impl Grid {
+    /// Reads a VTU file: ASCII, base64 or raw, inline or appended, with zlib or without, in either byte
+    /// order, of one piece or several; and all pieces of a PVTU file, whose points are joined where a point array [`NODE`](super::NODE) numbers
+    /// them.
+    ///
+    /// # Errors
+    /// If the file cannot be opened, is damaged, or is no unstructured grid.
+    pub fn read(path: &Path) -> Result<Grid, VtuError> {
+        let mut file =
+            fs::File::open(path).map_err(|source| VtuError::Io { path: path.to_owned(), source })?;
+        if is_list(&mut file).map_err(|source| VtuError::Io { path: path.to_owned(), source })? {
+            return all_pieces(path);
+        }
+        parse(&mut file, |_| true).map_err(|reason| VtuError::Format { path: path.to_owned(), reason })
+    }
+}
 
 /// Writes a PVTU file beside the files of its pieces, which are there and have the arrays of one of them, `like`.
 ///
@@ -61,7 +78,7 @@ pub fn write_list(path: &Path, like: &Grid, pieces: &[String]) -> Result<(), Vtu
 }
 
 /// Whether a file names pieces.
-pub(super) fn is_list(file: &mut fs::File) -> std::io::Result<bool> {
+fn is_list(file: &mut fs::File) -> std::io::Result<bool> {
     let mut head = Vec::new();
     Read::by_ref(file).take(512).read_to_end(&mut head)?;
     file.rewind()?;
@@ -70,7 +87,7 @@ pub(super) fn is_list(file: &mut fs::File) -> std::io::Result<bool> {
 }
 
 /// All pieces of a grid, from the files that a file beside them names.
-pub(super) fn read(path: &Path) -> Result<Grid, VtuError> {
+fn all_pieces(path: &Path) -> Result<Grid, VtuError> {
     let io = |path: &Path| {
         let path = path.to_owned();
         move |source| VtuError::Io { path, source }

@@ -1,8 +1,6 @@
-//! Reading a grid.
+//! Reading a grid from one file.
 
-use std::fs;
 use std::io::{BufReader, Read, SeekFrom};
-use std::path::Path;
 
 use roxmltree::{Document, Node};
 
@@ -11,28 +9,11 @@ use super::data::{Layout, Take, binary, text};
 use super::header::UNIT_KEY;
 use super::kind::Kind;
 use super::outline::{Appended, Outline, Place, outline};
-use super::{Array, Grid, Values, VtuError, pieces};
+use super::{Array, Grid, Values};
 use crate::input::Source;
 
 /// What to do about a file that cannot be read.
 const EXPORT: &str = "open it in ParaView and save it as .vtu with zlib or no compression";
-
-impl Grid {
-    /// Reads a VTU file: ASCII, base64 or raw, inline or appended, with zlib or without, in either byte
-    /// order, of one piece or several; and all pieces of a PVTU file, whose points are joined where a point array [`NODE`](super::NODE) numbers
-    /// them.
-    ///
-    /// # Errors
-    /// If the file cannot be opened, is damaged, or is no unstructured grid.
-    pub fn read(path: &Path) -> Result<Grid, VtuError> {
-        let mut file =
-            fs::File::open(path).map_err(|source| VtuError::Io { path: path.to_owned(), source })?;
-        if pieces::is_list(&mut file).map_err(|source| VtuError::Io { path: path.to_owned(), source })? {
-            return pieces::read(path);
-        }
-        parse(&mut file, |_| true).map_err(|reason| VtuError::Format { path: path.to_owned(), reason })
-    }
-}
 
 /// What is needed to read an array.
 struct File<'s> {
