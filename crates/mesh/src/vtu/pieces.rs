@@ -23,7 +23,7 @@ const KIND: &str = "PUnstructuredGrid";
 
 impl Grid {
     /// Reads a VTU file: ASCII, base64 or raw, inline or appended, with zlib or without, in either byte
-    /// order, of one piece or several; and all pieces of a PVTU file, whose points are joined where a point array [`NODE`](super::NODE) numbers
+    /// order, of one piece or several; and all pieces of a PVTU file, whose points are joined where a point array [`NODE`] numbers
     /// them.
     ///
     /// # Errors
