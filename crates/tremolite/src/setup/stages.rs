@@ -364,8 +364,13 @@ pub fn forgotten(case: &Case, mesh: &Mesh) -> Option<Diagnostic> {
     };
     let benches: Vec<(String, &String)> =
         mesh.groups.keys().filter_map(|name| Some((cavern_of(name)?, name))).collect();
+    // What a region leaves out from the beginning need not be taken out.
+    let void = |name: &str| {
+        let empty = case.regions.iter().filter(|region| region.fill == case::Fill::Void);
+        empty.flat_map(|region| &region.groups).any(|written| pattern::matches(written, name))
+    };
     let begun = |cavern: &str| benches.iter().any(|(of, name)| of == cavern && dug(name));
-    let left = benches.iter().filter(|(cavern, name)| !dug(name) && begun(cavern));
+    let left = benches.iter().filter(|(cavern, name)| !dug(name) && !void(name) && begun(cavern));
     let left: Vec<&str> = left.map(|(_, name)| name.as_str()).collect();
     let last = case.stages.iter().rev().find(|stage| !stage.excavate.is_empty())?;
     (!left.is_empty()).then(|| {
