@@ -88,7 +88,7 @@ fn the_motion_is_that_of_one_level_to_second_order() {
         let (_, [closes, _]) = of(&one, 1);
         assert!(open < closes && closes < 1e-5, "{side:?}: {open:e} {closes:e}");
 
-        let (exact, _) = of(&one, 16);
+        let (exact, _) = of(&one, 8);
         let error = apart(&third, &exact) / apart(&exact, &vec![Row::ZERO; exact.len()]);
         assert!(error < 1e-3, "{side:?}: {error:e}");
     }

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
+use tremolite::engine::Release;
 use tremolite::observers::{
     CycleMade, Event, Observer, OwnObservers, Schedule, Setting, StageSeen, Wants, Which, observers,
 };
@@ -24,8 +25,10 @@ use tremolite_mesh::locate::Locator;
 use tremolite_motion::{Motion, Sample, ricker_velocity};
 use tremolite_results::{Column, PageWish, ResultFolder, TableWriter};
 
+/// Stages need not come near to rest.
 fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Plan {
     let locator = Locator::new(&problem.mesh, None);
+    let release = Release { cycles: 20, tolerance: [2e-2, 2e-1], ..Release::default() };
     let monitor = |&(name, point): &(&str, [f64; 3])| Monitor {
         name: str::to_owned(name),
         point,
@@ -36,7 +39,7 @@ fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Pl
         boundaries: Default::default(),
         target: None,
         title: "observed".into(),
-        stages: stages.iter().map(|&name| PlannedStage::new(name)).collect(),
+        stages: stages.iter().map(|&name| PlannedStage { release, ..PlannedStage::new(name) }).collect(),
         duration: 0.03,
         recorded: None,
         waves: None,
