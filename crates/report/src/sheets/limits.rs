@@ -146,8 +146,28 @@ fn displacement(source: &Source, summary: &Summary) -> Found {
     let (monitor, time, size) = largest_displacement(source, summary)?;
     let at = crate::quantities::scale::moment(time, source.duration());
     let note = say!(source.language, "{monitor} at {time}\u{a0}s", monitor = monitor, time = at);
+    let note = match beside(source, monitor, time) {
+        Some(free) => say!(
+            source.language,
+            "{place}, when the free field beside it has moved by {free}",
+            place = note,
+            free = source.quantity(Kind::Displacement, free)
+        ),
+        None => note,
+    };
     let loose = loose_monitors(summary);
     Some((size, source.quantity(Kind::Displacement, size), without(source, note, &loose)))
+}
+
+/// How far \[m\] the free field beside a monitor has moved at a time \[s\]: its velocity in the rows of free_field.csv, by the trapezoidal rule.
+fn beside(source: &Source, monitor: &str, time: f64) -> Option<f64> {
+    let field = source.free_field.as_ref()?.as_ref().ok()?;
+    let moved = |velocity: &Vec<f64>| {
+        let steps = field.time.windows(2).zip(velocity.windows(2)).take_while(|(t, _)| t[1] <= time);
+        steps.map(|(t, v)| 0.5 * (v[0] + v[1]) * (t[1] - t[0])).sum::<f64>()
+    };
+    let size = field.beside.get(monitor)?.iter().map(moved).map(|u| u * u).sum::<f64>().sqrt();
+    size.is_finite().then_some(size)
 }
 
 fn relative(source: &Source, summary: &Summary) -> Found {

@@ -7,6 +7,7 @@ use crate::error::RunError;
 use crate::history::History;
 use directions::{Frame, frames, widths};
 use std::collections::HashMap;
+use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
@@ -116,6 +117,17 @@ impl Observer for Cracks {
 }
 
 impl Cracks {
+    /// The widest crack \[m\] of each direction ([`CrackDirection::ALL`]) in each element of the mesh whose law tells widths, as it is open now.
+    pub fn now(model: &Model, phase: &Phase, history: &History) -> HashMap<u32, [f64; ALL.len()]> {
+        let frames = frames(model);
+        let of = |(e, slot): (u32, ElementSlot)| {
+            let width = history.with_role(&slot, Role::CrackWidth)?;
+            let openings = history.with_role(&slot, Role::CrackOpenings);
+            Some((e, by_direction(history, &slot, (width, openings), frames.get(&e))))
+        };
+        cracking(phase, |slot| history.with_role(slot, Role::CrackWidth).is_some()).filter_map(of).collect()
+    }
+
     /// What was remembered by direction, by element of the mesh; empty where nothing was.
     pub fn by_direction(
         phase: &Phase,
