@@ -114,9 +114,8 @@ impl FreeField {
                 continue;
             }
             let of_monitor = column.name.split_once(BESIDE);
-            let of_monitor = of_monitor.and_then(|(name, axis)| {
-                Some((name, AXES.iter().position(|known| *known == axis)?))
-            });
+            let of_monitor = of_monitor
+                .and_then(|(name, axis)| Some((name, AXES.iter().position(|known| *known == axis)?)));
             if let Some((monitor, axis)) = of_monitor {
                 found.beside.entry(monitor.to_owned()).or_default()[axis] = values;
                 continue;

@@ -145,7 +145,10 @@ fn normals_of_cracks_are_the_ways_in_which_their_faces_went_apart() {
         assert!((found[0] - width(&history)).abs() < 1e-12 * found[0]);
         assert!(along(&normals[0], 2) > 1.0 - 1e-9 && along(&normals[1], 1) > 1.0 - 1e-9, "{normals:?}");
         assert!((found[0] - 3e-3).abs() < THRESHOLD * EDGES[2], "{found:?}");
-        assert!((found[1] - 1e-3).abs() < THRESHOLD * EDGES[1] && found[2] < THRESHOLD * EDGES[0], "{found:?}");
+        assert!(
+            (found[1] - 1e-3).abs() < THRESHOLD * EDGES[1] && found[2] < THRESHOLD * EDGES[0],
+            "{found:?}"
+        );
     }
 }
 

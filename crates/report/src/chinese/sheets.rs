@@ -205,10 +205,7 @@ pub const TEXTS: Texts = &[
         "{met} of {all} limits of acceptance are met; of the others nothing is known.",
         "{all} 项验收限值中满足 {met} 项，其余未知。",
     ),
-    (
-        "{place}, when the free field beside it has moved by {free}",
-        "{place}，此时旁边自由场位移 {free}",
-    ),
+    ("{place}, when the free field beside it has moved by {free}", "{place}，此时旁边自由场位移 {free}"),
     ("haunch", "拱腰"),
     ("wall", "边墙"),
     ("foot of the wall", "墙脚"),

@@ -81,12 +81,15 @@ fn lining(lives: &[Life], bodies: &[Body], count: usize) -> Vec<bool> {
 /// That a group is no lining, with those that are.
 fn no_lining(mesh: &Mesh, on: &Spanned<String>, name: &str, lined: &[bool]) -> Diagnostic {
     let all = |elements: &[u32]| !elements.is_empty() && elements.iter().all(|&e| lined[e as usize]);
-    let linings: Vec<&str> = mesh.groups.iter().filter(|(_, e)| all(e)).map(|(name, _)| name.as_str()).collect();
+    let linings: Vec<&str> =
+        mesh.groups.iter().filter(|(_, e)| all(e)).map(|(name, _)| name.as_str()).collect();
     Diagnostic::at(
         on,
         format!("'{name}' is no lining: no stage installs it, and its material does not crack"),
         match linings.is_empty() {
-            true => "install the lining in a stage, or give its concrete law = \"concrete-damage\"".to_owned(),
+            true => {
+                "install the lining in a stage, or give its concrete law = \"concrete-damage\"".to_owned()
+            }
             false => format!("name linings: {}", linings.join(", ")),
         },
     )

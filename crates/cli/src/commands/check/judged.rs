@@ -39,10 +39,17 @@ pub(super) fn print_judged(checked: &Checked) {
 fn in_words(name: &str, limit: f64) -> String {
     let millimetres = || format!("{} mm", trimmed(1e3 * limit));
     match name {
-        "displacement" => format!("displacement of a monitor, the ground's own included, up to {}", millimetres()),
-        "relative_displacement" => format!("displacement of two monitors against each other up to {}", millimetres()),
+        "displacement" => {
+            format!("displacement of a monitor, the ground's own included, up to {}", millimetres())
+        }
+        "relative_displacement" => {
+            format!("displacement of two monitors against each other up to {}", millimetres())
+        }
         "crack_width" => {
-            format!("cracks across bars up to {} wide; those parallel to the wall are told, not judged", millimetres())
+            format!(
+                "cracks across bars up to {} wide; those parallel to the wall are told, not judged",
+                millimetres()
+            )
         }
         "damage" => format!("{} % of a lining's volume cracked", trimmed(100.0 * limit)),
         "crushing" => format!("{} % of a lining's volume crushed or sheared", trimmed(100.0 * limit)),
