@@ -50,12 +50,23 @@ pub(crate) static LIMITS: Table = Table {
             "",
             "Of two monitors against each other, of every [[relative]]: what closes or widens an opening",
         ),
-        Key::optional("crack_width", LENGTH, "", "Widest crack"),
+        Key::optional(
+            "crack_width",
+            LENGTH,
+            "",
+            "Widest crack that crosses bars; one whose normal lies within 45° of the thickness is parallel to the wall and not held to it",
+        ),
         Key::optional(
             "damage",
             Kind::Number(Dimension::NONE, Limit::Within(1.0)),
             "",
             "Cracked share of a lining's volume, D⁺ above 0.5",
+        ),
+        Key::optional(
+            "crushing",
+            Kind::Number(Dimension::NONE, Limit::Within(1.0)),
+            "",
+            "Crushed or sheared share of a lining's volume, D⁻ above 0.5",
         ),
         Key::optional(
             "utilisation",
@@ -103,6 +114,8 @@ pub struct Limits {
     pub crack_width: Option<f64>,
     /// Share of a lining's volume.
     pub damage: Option<f64>,
+    /// Share of a lining's volume.
+    pub crushing: Option<f64>,
     /// 1
     pub utilisation: Option<f64>,
 }
@@ -129,6 +142,7 @@ impl Limits {
             relative_displacement: number("relative_displacement"),
             crack_width: number("crack_width"),
             damage: number("damage"),
+            crushing: number("crushing"),
             utilisation: number("utilisation"),
         }
     }

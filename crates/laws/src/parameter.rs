@@ -222,6 +222,9 @@ pub enum Role {
     CrackExtent,
     /// Width \[m\] of the widest crack as it is open now, across the element's extent along the crack's present normal.
     CrackWidth,
+    /// xx \[m²\] of the openings squared, e⁺·G·e⁺, the five other components behind it (yy, zz, xy, yz, zx): principal values are the squares
+    /// of how far cracks are open now, principal directions the normals of these.
+    CrackOpenings,
     /// Accumulated plastic strain of shear.
     PlasticShear,
     /// Accumulated plastic strain of tension.

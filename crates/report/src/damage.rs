@@ -7,7 +7,7 @@ pub mod maps;
 mod thickened;
 
 use serde::Serialize;
-use tremolite_results::{Cracks, Damaged, GroupDamage, Onset, Summary};
+use tremolite_results::{CrackDirection, Cracks, Damaged, GroupDamage, Onset, Opened, Summary};
 
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, moment, trimmed};
@@ -58,6 +58,10 @@ pub struct CrackRow {
     /// One of them.
     pub through_at: String,
     pub opening: String,
+    /// Across bars, with which way it runs, and parallel to the wall.
+    pub across: String,
+    pub runs: String,
+    pub parallel: String,
     pub time: String,
     pub place: String,
 }
@@ -197,10 +201,34 @@ fn share(damaged: &Damaged, threshold: &str, volume: f64) -> Share {
 
 /// The widest opening; of loose pieces the limit.
 pub fn opening(source: &Source, cracks: &Cracks) -> String {
-    if cracks.is_loose() {
+    told(source, cracks.opening)
+}
+
+/// A width \[m\]; of loose pieces the limit.
+pub fn told(source: &Source, width: f64) -> String {
+    if width > Cracks::LOOSE {
         format!(">\u{a0}{}", trimmed(&source.quantity(Kind::Opening, Cracks::LOOSE)))
     } else {
-        source.quantity(Kind::Opening, cracks.opening)
+        source.quantity(Kind::Opening, width)
+    }
+}
+
+/// Which way a crack runs.
+pub fn direction(language: Language, direction: CrackDirection) -> String {
+    match direction {
+        CrackDirection::Longitudinal => say!(language, "longitudinal"),
+        CrackDirection::Ring => say!(language, "round the ring"),
+        CrackDirection::Parallel => say!(language, "parallel to the wall"),
+        CrackDirection::Unplaced => say!(language, "where walls meet"),
+    }
+}
+
+/// The widest crack of a direction, or that there is none; a dash where the results do not tell directions.
+pub fn of_direction(source: &Source, opened: Option<&Opened>) -> String {
+    match opened {
+        Some(of) if of.widest.is_some() => told(source, of.opening),
+        Some(_) => say!(source.language, "none"),
+        None => "–".into(),
     }
 }
 
@@ -220,6 +248,12 @@ pub fn cracks(source: &Source, summary: &Summary) -> Vec<CrackRow> {
             },
             through_at: cracks.through_at.map_or(String::new(), |p| place(language, p.element, p.at)),
             opening: opening(source, cracks),
+            across: of_direction(source, cracks.across()),
+            runs: match cracks.across() {
+                Some(of) if of.widest.is_some() => direction(language, of.direction),
+                _ => String::new(),
+            },
+            parallel: of_direction(source, cracks.parallel()),
             time,
             place: place_of,
         })

@@ -31,6 +31,15 @@ pub struct Fact {
     pub label: Value,
     pub value: String,
     pub note: Value,
+    /// `fail` where it is to be seen before one signs; else empty.
+    pub class: &'static str,
+}
+
+impl Fact {
+    /// The same, to be seen before one signs.
+    pub fn warning(self) -> Fact {
+        Fact { class: "fail", ..self }
+    }
 }
 
 /// A line of the trust table.
@@ -176,6 +185,7 @@ pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
             label: told(language, &fact.name_said, &capital(&fact.name)),
             value: trimmed(&quantity(&fact.unit, fact.value)),
             note: told(language, &fact.note_said, &fact.note),
+            class: "",
         });
     }
     facts.extend(monitors(language, summary));
@@ -300,5 +310,5 @@ pub fn run(language: Language, summary: &Summary) -> Vec<Fact> {
 
 /// A label with a value and small print, all in the page's language.
 pub(crate) fn card(label: String, value: String, note: impl Into<Value>) -> Fact {
-    Fact { label: label.into(), value, note: note.into() }
+    Fact { label: label.into(), value, note: note.into(), class: "" }
 }

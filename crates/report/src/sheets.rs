@@ -28,6 +28,9 @@ pub struct Sheets {
     limits: Vec<LimitRow>,
     /// That some are not met; empty where all are.
     beyond: String,
+    /// The same for the verdict, with its colour; empty where there are none.
+    held: String,
+    held_class: &'static str,
     /// What to say where there are none.
     unlimited: String,
     earthquake: Vec<Fact>,
@@ -83,7 +86,10 @@ pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets
     let limits = limits::rows(source, summary);
     let warns: Vec<Check> =
         facts::checks(language, summary).into_iter().filter(|check| check.class == "fail").collect();
+    let (held_class, held) = limits::verdict(language, &limits).unwrap_or_default();
     Sheets {
+        held,
+        held_class,
         project: summary.case.report.project.clone(),
         dated: dated(language, summary),
         unlimited: match limits.is_empty() {
@@ -202,10 +208,16 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
             ),
         },
         say!(language, "Plane waves come in from below; the ground beside the model is that of its sides."),
-        say!(
-            language,
-            "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; they may lie parallel to the wall, where bars round it do not cross them. Pieces that come loose are not followed."
-        ),
+        match limits::tells_directions(summary) {
+            true => say!(
+                language,
+                "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh. A crack whose normal lies within 45° of the thickness is parallel to the wall: no bars cross it, and no limit of width judges it. Pieces that come loose are not followed."
+            ),
+            false => say!(
+                language,
+                "The width of a crack is the sum of parallel ones in an element, and so depends on the mesh; they may lie parallel to the wall, where bars round it do not cross them. Pieces that come loose are not followed."
+            ),
+        },
     ];
     if source.shakes() && model::goes_by_rate(summary) {
         all.push(say!(

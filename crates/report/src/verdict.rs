@@ -68,6 +68,17 @@ pub fn verdict(source: &Source) -> Verdict {
     lines.extend(relative(source, &facts));
     lines.truncate(LINES);
     let (class, answer) = answer(source, &linings, yielding(source, &facts));
+    let crushed = linings.iter().filter_map(|finding| finding.numbers.get("share_crushed_or_sheared"));
+    let crushed = crushed.copied().fold(0.0, f64::max);
+    let answer = match crushed > 0.0 && source.summary.is_ok() {
+        true => say!(
+            language,
+            "{answer} Concrete is crushed or sheared in up to {share} of a lining's volume.",
+            answer = answer,
+            share = percent(crushed)
+        ),
+        false => answer,
+    };
     let question = match source.still() {
         Some(_) => say!(language, "Is the lining whole when the stages are done?"),
         None => say!(language, "Does the lining withstand the earthquake?"),

@@ -83,6 +83,52 @@ pub struct GroupDamage {
     pub cracks: Option<Cracks>,
 }
 
+/// Which way a crack of a lining runs, by its normal in the lining's own frame: round the ring, along the axis, through the thickness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum CrackDirection {
+    /// Along the cavern: its normal lies round the ring. Bars round the ring cross it.
+    Longitudinal,
+    /// Round the ring: its normal lies along the axis. Bars along the axis cross it.
+    Ring,
+    /// Parallel to the wall: its normal lies within 45° of the thickness. No bar of the section crosses it.
+    Parallel,
+    /// Where walls meet, and where a lining has no thickness by its shape: there is no frame. It counts as one that crosses bars.
+    Unplaced,
+}
+
+impl CrackDirection {
+    /// All there are.
+    pub const ALL: [CrackDirection; 4] = [
+        CrackDirection::Longitudinal,
+        CrackDirection::Ring,
+        CrackDirection::Parallel,
+        CrackDirection::Unplaced,
+    ];
+}
+
+/// Cracks of one direction in a group of elements.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Opened {
+    /// Which way they run.
+    pub direction: CrackDirection,
+    /// Widest opening over the run (m).
+    #[serde(with = "number", default = "number::absent")]
+    pub opening: f64,
+    /// When and where it was; none if nothing cracked so.
+    pub widest: Option<Onset>,
+    /// Widest opening at the end (m), of whichever crack.
+    #[serde(with = "number", default = "number::absent")]
+    pub left: f64,
+}
+
+impl Default for Opened {
+    fn default() -> Self {
+        Opened { direction: CrackDirection::Unplaced, opening: f64::NAN, widest: None, left: f64::NAN }
+    }
+}
+
 /// The cracks of a group of elements.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -95,6 +141,9 @@ pub struct Cracks {
     /// Widest opening at the end (m), of whichever crack; no number in files of older versions.
     #[serde(with = "number", default = "number::absent", skip_serializing_if = "number::is_absent")]
     pub left: f64,
+    /// The same by the direction in which cracks run; empty in files of older versions.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub directions: Vec<Opened>,
     /// Stacks of elements through the group's thickness.
     pub stacks: u64,
     /// How many of them are cracked through.
@@ -107,6 +156,18 @@ impl Cracks {
     /// Opening (m) beyond which pieces are loose: some hundredths of strain in elements of some decimetres, which is
     /// past what small strains and any reinforcement would hold.
     pub const LOOSE: f64 = 0.02;
+
+    /// The widest crack of those that cross bars: all but those parallel to the wall. None in files of older versions, which do not tell
+    /// directions.
+    pub fn across(&self) -> Option<&Opened> {
+        let crosses = |of: &&Opened| of.direction != CrackDirection::Parallel;
+        self.directions.iter().filter(crosses).max_by(|a, b| a.opening.total_cmp(&b.opening))
+    }
+
+    /// The widest crack parallel to the wall; none in files of older versions.
+    pub fn parallel(&self) -> Option<&Opened> {
+        self.directions.iter().find(|of| of.direction == CrackDirection::Parallel)
+    }
 
     /// Whether a crack opened beyond [`Cracks::LOOSE`]; its width then means little.
     pub fn is_loose(&self) -> bool {

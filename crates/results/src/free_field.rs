@@ -4,6 +4,8 @@
 
 use std::path::Path;
 
+use indexmap::IndexMap;
+
 use crate::{Error, Subject, Table};
 
 /// The axes of the model, in the order of all arrays here.
@@ -15,6 +17,9 @@ const EQUIVALENT: &str = "_equivalent";
 
 /// What stands before the component of a velocity at the place of a record.
 const RECORD: &str = "record.free_field.v";
+
+/// What stands between a monitor's name and the component of the free field's velocity at its level.
+const BESIDE: &str = ".free_field.v";
 
 /// What was recorded of the free field. What the file does not hold is empty, and columns of other names are passed over.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +35,8 @@ pub struct FreeField {
     /// Velocity of the free field at the place of a record that was deconvolved (m/s), or at the level of a monitor that is
     /// called `record`, along x, y and z; empty where the file has no such column.
     pub record: [Vec<f64>; 3],
+    /// Monitor → velocity of the free field at its level (m/s) along x, y and z.
+    pub beside: IndexMap<String, [Vec<f64>; 3]>,
     /// The file ended in the middle of a line: see [`Table::cut`].
     pub cut: bool,
 }
@@ -106,6 +113,13 @@ impl FreeField {
                 found.record[axis] = values;
                 continue;
             }
+            let of_monitor = column.name.split_once(BESIDE);
+            let of_monitor = of_monitor
+                .and_then(|(name, axis)| Some((name, AXES.iter().position(|known| *known == axis)?)));
+            if let Some((monitor, axis)) = of_monitor {
+                found.beside.entry(monitor.to_owned()).or_default()[axis] = values;
+                continue;
+            }
             let (stations, name) = match &column.subject {
                 Subject::Column(name) => (&mut found.columns, name.as_str()),
                 Subject::Edge(name) => (&mut found.corners, name.as_str()),
@@ -170,7 +184,9 @@ mod tests {
             ("xmin-ymin.top.vy_equivalent", &[1.6, 2.6]),
             ("ymin-xmax.base.vz", &[3.0, 4.0]),
             ("xmin-ymin.base.vx", &[5.0, 6.0]),
+            ("crown.free_field.vy", &[9.0, 9.5]),
         ]);
+        assert_eq!(found.beside["crown"], [vec![], vec![9.0, 9.5], vec![]]);
         let names: Vec<&str> = found.columns.iter().map(|station| station.name.as_str()).collect();
         assert_eq!(names, ["xmin-ymin", "ymin-xmax"]);
         assert_eq!(found.time, [0.0, 0.1]);

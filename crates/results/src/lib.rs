@@ -75,7 +75,7 @@ pub use bolts::{BOLT_COLUMNS, BoltColumn, BoltRow, BoltWriter, EARTHQUAKE, read_
 pub use by_name::halves;
 pub use column::{Column, Subject};
 pub use cut::{Cut, CutCell};
-pub use damage::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Severity};
+pub use damage::{CrackDirection, Cracks, Damaged, Finding, GroupDamage, Onset, Opened, Place, Severity};
 pub use error::Error;
 pub use field_file::{FieldCell, FieldFile, Scalar};
 pub use fields::Fields;
@@ -95,9 +95,9 @@ pub use slice::{Corner, Piece, Slice};
 pub use stages::{StageSeepage, StageSummary, write_stages};
 pub use stress::{GroupStress, StressPeak};
 pub use summary::{
-    CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, InitialStress, Input, ModelFacts, MonitorFacts,
-    MotionFacts, PageWish, PartFacts, RunFacts, SoilLayer, Soundness, Status, Summary, Synchrony,
-    TargetSpectrum, Wave, WavePart,
+    CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, InitialStress, Input, LiningExtent, ModelFacts,
+    MonitorFacts, MotionFacts, PageWish, PartFacts, RunFacts, SoilLayer, Soundness, Status, Summary,
+    Synchrony, TargetSpectrum, Wave, WavePart,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::Table;

@@ -30,6 +30,11 @@ pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D:
     Ok(Option::<f64>::deserialize(deserializer)?.unwrap_or(f64::NAN))
 }
 
+/// Two numbers, of which either may be none.
+pub(crate) fn deserialize_pair<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
+    Ok(<[Option<f64>; 2]>::deserialize(deserializer)?.map(|x| x.unwrap_or(f64::NAN)))
+}
+
 /// Reads named numbers; `null`, as which NaN is written, is NaN again.
 pub(crate) fn deserialize_map<'de, D: Deserializer<'de>>(
     deserializer: D,

@@ -34,6 +34,11 @@ pub struct SectionStrength {
     pub beyond: u64,
     pub beyond_bending: u64,
     pub beyond_shear: u64,
+    /// Stations of which no share of thrust and moment, or of shear, was borne at some time, so that their utilisation was infinite; the
+    /// largest tension N (N/m) there, at the end of a stage or in a step.
+    pub unborne: u64,
+    #[serde(with = "number", default = "number::absent", skip_serializing_if = "number::is_absent")]
+    pub unborne_thrust: f64,
     /// Most of thrust and moment, and of shear; none where nothing was judged.
     pub bending: Option<Used>,
     pub shear: Option<Used>,
@@ -72,6 +77,9 @@ pub struct Border {
     pub thickness: f64,
     /// Area (m² a metre) of bars nearer to the intrados and nearer to the extrados.
     pub bars: [f64; 2],
+    /// From the intrados, and from the extrados, to the middle of the bars next to it (m); no number without bars there.
+    #[serde(deserialize_with = "number::deserialize_pair")]
+    pub depths: [f64; 2],
     pub stations: u64,
     /// N (N/m) and M (N m/m), closed.
     pub line: Vec<[f64; 2]>,
@@ -106,4 +114,10 @@ pub struct Used {
     pub time: f64,
     /// N (N/m), M (N m/m), Q (N/m) there and then.
     pub forces: [f64; 3],
+    /// V_Rd (N/m) beside that N and M; no number where the code has no clause, and in files of older versions.
+    #[serde(with = "number", default = "number::absent", skip_serializing_if = "number::is_absent")]
+    pub resistance: f64,
+    /// Where in the lining: `crown`, `haunch`, `wall`, `foot` or `floor`; empty in files of older versions.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub part: String,
 }

@@ -15,7 +15,8 @@ use serde::{Deserialize, Serialize};
 
 pub use case::{CaseFacts, Defaulted, Input, PageWish};
 pub use computed::{
-    Computed, Deconvolved, InitialStress, ModelFacts, MotionFacts, RunFacts, SoilLayer, TargetSpectrum,
+    Computed, Deconvolved, InitialStress, LiningExtent, ModelFacts, MotionFacts, RunFacts, SoilLayer,
+    TargetSpectrum,
 };
 pub use conclusion::{Conclusion, Status};
 pub use monitors::{MonitorFacts, Synchrony};

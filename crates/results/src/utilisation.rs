@@ -23,9 +23,11 @@ pub struct UtilisationRow {
     pub bending: f64,
     /// Of shear; not a number where the code has no clause.
     pub shear: f64,
+    /// V_Rd (N/m) beside N and M of that time; not a number where the code has no clause, and in files of older versions.
+    pub resistance: f64,
 }
 
-const HEADERS: [&str; 12] = [
+const HEADERS: [&str; 13] = [
     "lining",
     "station",
     "x [m]",
@@ -38,6 +40,7 @@ const HEADERS: [&str; 12] = [
     "Q [N/m]",
     "utilisation [1]",
     "shear_utilisation [1]",
+    "V_Rd [N/m]",
 ];
 
 /// Writes the file whole.
@@ -57,7 +60,7 @@ pub fn write_utilisation(path: &Path, rows: &[UtilisationRow]) -> Result<(), Err
         cells.extend(row.place.map(text));
         cells.extend([row.when.clone(), text(row.time)]);
         cells.extend(row.forces.map(text));
-        cells.extend([row.bending, row.shear].map(text));
+        cells.extend([row.bending, row.shear, row.resistance].map(text));
         cells
     });
     write_rows(&mut out, head.chain(body));
@@ -88,6 +91,8 @@ pub fn read_utilisation(path: &Path) -> Result<Vec<UtilisationRow>, Error> {
             forces: [value(7)?, value(8)?, value(9)?],
             bending: value(10)?,
             shear: value(11)?,
+            // Files of older versions end before it.
+            resistance: if record.len() < HEADERS.len() { f64::NAN } else { value(12)? },
         });
     }
     Ok(rows)
@@ -108,11 +113,18 @@ mod tests {
             forces: [-1.25e6, 3.0e4, 12.0],
             bending: f64::INFINITY,
             shear: 0.25,
+            resistance: 48.0,
         };
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("utilisation.csv");
         write_utilisation(&path, std::slice::from_ref(&row)).unwrap();
         assert_eq!(read_utilisation(&path).unwrap(), [row]);
+        // A file of an older version has no resistance.
+        let text = std::fs::read_to_string(&path).unwrap();
+        let older: Vec<&str> = text.lines().map(|line| line.rsplit_once(',').unwrap().0).collect();
+        std::fs::write(&path, older.join("\n")).unwrap();
+        let read = read_utilisation(&path).unwrap();
+        assert!(read[0].resistance.is_nan() && read[0].shear == 0.25);
         std::fs::write(&path, "lining,station\nhall,x\n").unwrap();
         assert!(read_utilisation(&path).unwrap_err().to_string().contains("station"));
     }

@@ -105,9 +105,14 @@ impl Capacity {
 
     /// Utilisation in shear of Q \[N/m\] beside N and M; not a number where the code has no clause here.
     pub fn shear(&self, state: [f64; 2], q: f64) -> f64 {
+        let resistance = self.shear_resistance(state);
+        if q == 0.0 && self.shear.is_some() { 0.0 } else { q.abs() / resistance }
+    }
+
+    /// Resistance V_Rd \[N/m\] to shear beside N \[N/m\] and M \[N m/m\]; not a number where the code has no clause here.
+    pub fn shear_resistance(&self, state: [f64; 2]) -> f64 {
         let Some(shear) = &self.shear else { return f64::NAN };
-        let resistance = shear.resistance(&self.section, state) / self.resistance_factor;
-        if q == 0.0 { 0.0 } else { q.abs() / resistance }
+        shear.resistance(&self.section, state) / self.resistance_factor
     }
 
     /// Whether it has steel.

@@ -14,7 +14,9 @@ use tremolite_engine::phase::Phase;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
-use tremolite_results::{Cracks, Damaged, Finding, GroupDamage, Onset, Place, Said, Severity, said, snake};
+use tremolite_results::{
+    CrackDirection, Cracks, Damaged, Finding, GroupDamage, Onset, Opened, Place, Said, Severity, said, snake,
+};
 
 /// What summaries say of damage, by group. Volumes are those of integration points, and first times go by the rows of
 /// the histories.
@@ -100,7 +102,20 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     let left = |e: u32| Some(last?[slot(e)?.element as usize]);
     let worst = through.iter().flat_map(|stack| stack.iter().map(|(e, _)| *e)).reduce(wider);
     let Place { element, at: centre } = place(element);
+    let by_direction = Watch::by_direction(phase, &history, memory);
+    let of_direction = |k: usize| {
+        let own = || group.elements.iter().filter_map(|e| Some((*e, by_direction.get(e)?[k])));
+        let (element, most) = own().max_by(|a, b| a.1.widest.total_cmp(&b.1.widest))?;
+        let Place { element, at } = place(element);
+        Some(Opened {
+            direction: CrackDirection::ALL[k],
+            opening: most.widest,
+            widest: (most.widest > 0.0).then_some(Onset { time: most.time, element, at }),
+            left: own().map(|(_, opened)| opened.last).fold(0.0, f64::max),
+        })
+    };
     Some(Cracks {
+        directions: (0..CrackDirection::ALL.len()).filter_map(of_direction).collect(),
         opening: widest[at],
         left: group.elements.iter().filter_map(|&e| left(e)).fold(f64::NAN, f64::max),
         widest: (widest[at] > 0.0).then_some(Onset { time: when[at], element, at: centre }),
@@ -171,6 +186,11 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
             .with_place("crack", widest.at)
             .with("through", cracks.through as f64)
             .with("places", cracks.stacks as f64);
+        for (name, of) in [("crack_across_bars", cracks.across()), ("crack_parallel", cracks.parallel())] {
+            if let Some(of) = of {
+                finding = finding.with(name, of.opening);
+            }
+        }
         if let Some(place) = cracks.through_at {
             finding = finding.with("through_element", place.element as f64).with_place("through", place.at);
         }
@@ -214,8 +234,31 @@ fn of_cracks(cracks: &Cracks) -> Vec<Said> {
             place = point(widest.at),
         ),
     });
+    text.extend(directions(cracks));
     text.push(said!("The number of cracks over a length, and so their width, depends on the mesh."));
     text
+}
+
+/// Which way the widest cracks run: across bars, and parallel to the wall.
+fn directions(cracks: &Cracks) -> Vec<Said> {
+    let millimetres = |of: &Opened| format!("{:.2}", 1e3 * of.opening);
+    let open = |of: &&Opened| of.widest.is_some() && of.opening <= Cracks::LOOSE;
+    let across = cracks.across().filter(open).map(|of| match of.direction {
+        CrackDirection::Longitudinal => {
+            said!("Across the bars round the ring {opening} mm at most.", opening = millimetres(of))
+        }
+        CrackDirection::Ring => {
+            said!("Across the bars along the axis {opening} mm at most.", opening = millimetres(of))
+        }
+        _ => said!("Where walls meet {opening} mm at most.", opening = millimetres(of)),
+    });
+    let parallel = cracks.parallel().filter(open).map(|of| {
+        said!(
+            "Parallel to the wall {opening} mm at most: no bar of the section crosses these.",
+            opening = millimetres(of)
+        )
+    });
+    across.into_iter().chain(parallel).collect()
 }
 
 /// Where and when damage began.

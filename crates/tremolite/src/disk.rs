@@ -70,6 +70,12 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
     // Envelopes with their times, onsets and cracks.
     let onsets = MEASURES.iter().filter(|m| has(m.role)).count() as u64;
     let remembered = 4 + onsets + if has(Role::CrackWidth) { 3 } else { 0 };
+    // Of what cracks three numbers for each direction, by element.
+    let cracking = model
+        .user_bodies()
+        .iter()
+        .filter(|body| position(body.material.info().history, Role::CrackWidth).is_some());
+    let directions = 12 * cracking.map(|body| body.elements.len() as u64).sum::<u64>();
     let state = 8 * (totals.history.end + totals.overstress.end + totals.initial.end)
         + 4 * totals.reference.end
         + totals.numbers.end;
@@ -87,7 +93,7 @@ pub fn disk(model: &Model, assembly: &Assembly, phase: &Phase, plan: &Plan, step
                 * columns(model, plan)
                 + if shaken { along_depth_and_period(model, plan) } else { 0 }),
         bolts: bolts(model, plan, steps),
-        checkpoint: 8 * (2 * (kept + more + remembered * totals.elements.end as u64) + rest),
+        checkpoint: 8 * (2 * (kept + more + remembered * totals.elements.end as u64 + directions) + rest),
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::damage;
 use crate::evidence::Evidence;
 use crate::interfaces::{self, interfaces};
-use crate::observers::{BoltForces, Extremes, strengths};
+use crate::observers::{BoltForces, Extremes, SectionForces, strengths};
 use crate::outcome::run_in_words;
 use crate::outlook::{MIDDLE, stress_at_start};
 use crate::plan::Plan;
@@ -137,6 +137,7 @@ pub fn summary(evidence: Evidence) -> Summary {
             initial_stress: stress_at_start(model)
                 .get(MIDDLE)
                 .map(|found| InitialStress { at: found.at, stress: found.stress }),
+            linings: SectionForces::of(model).extents(),
             water: water(model, plan),
             run: evidence.run,
             stages: outcome.stages.clone(),

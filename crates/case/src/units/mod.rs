@@ -126,6 +126,10 @@ pub fn likely(key: &str, value: f64, dimension: Dimension) -> String {
         Dimension::LENGTH if matches!(key, "crack_width" | "max_closure") && value >= 0.005 => {
             return format!("{number} mm");
         }
+        // A limit of a metre is none.
+        Dimension::LENGTH if matches!(key, "displacement" | "relative_displacement") && value >= 1.0 => {
+            return format!("{number} mm");
+        }
         // Steel per metre of lining.
         Dimension::LENGTH if key == "area" && value >= 1.0 => return format!("{number} mm2/m"),
         Dimension::LENGTH if key == "area" => return format!("{number} m2/m"),

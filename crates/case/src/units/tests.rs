@@ -219,6 +219,8 @@ fn a_bare_number_is_guessed_by_its_key_and_size() {
         ("diameter", 25.0, Dimension::LENGTH, "25 mm"),
         ("bar_diameter", 20.0, Dimension::LENGTH, "20 mm"),
         ("crack_width", 0.3, Dimension::LENGTH, "0.3 mm"),
+        ("relative_displacement", 20.0, Dimension::LENGTH, "20 mm"),
+        ("relative_displacement", 0.02, Dimension::LENGTH, "0.02 m"),
         ("crack_width", 0.0003, Dimension::LENGTH, "0.0003 m"),
         ("max_closure", 1.0, Dimension::LENGTH, "1 mm"),
         ("yield", 400.0, Dimension::PRESSURE, "400 MPa"),

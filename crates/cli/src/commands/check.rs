@@ -1,6 +1,7 @@
 //! `tremolite check`: what will happen, before it happens.
 
 mod bolts;
+mod judged;
 mod ranks;
 mod stages;
 mod text;

@@ -120,7 +120,20 @@ const ENERGY_CREATED: usize = 10;
 /// Three principal strains, falling.
 const LAST_STRAIN: usize = 11;
 const CRACK_WIDTH: usize = 14;
-const MEMORY: usize = 15;
+/// Six components of e⁺·G·e⁺ \[m²\].
+const OPENINGS: usize = 15;
+const MEMORY: usize = 21;
+/// What steps read and write; the rest is found where somebody looks.
+const IN_STEPS: usize = CRACK_WIDTH;
+
+const fn openings(name: &'static str, role: Role) -> Column {
+    Column::with_role(
+        name,
+        "m2",
+        role,
+        "component of e⁺·G·e⁺: principal values are the squares of how far cracks are open, directions their normals",
+    )
+}
 
 const fn last_strain(name: &'static str) -> Column {
     Column::new(name, "1", "principal strain of the last step, once damaged")
@@ -162,6 +175,12 @@ const COLUMNS: [Column; MEMORY] = [
         Role::CrackWidth,
         "how far the widest crack is open: strain that the stress does not explain, over the element's extent along it",
     ),
+    openings("openings_xx", Role::CrackOpenings),
+    openings("openings_yy", Role::Own),
+    openings("openings_zz", Role::Own),
+    openings("openings_xy", Role::Own),
+    openings("openings_yz", Role::Own),
+    openings("openings_zx", Role::Own),
 ];
 
 impl Concrete {
@@ -311,9 +330,21 @@ impl Material for Concrete {
             let one = L::splat(1.0);
             return InPlace { stress: seen.stress, left: damping::whole(), before: one, now: one };
         }
-        let old: [L; MEMORY] = load(history, at);
+        let mut old = [L::splat(0.0); MEMORY];
+        if point.looked_at {
+            old = load(history, at);
+        } else {
+            let kept: [L; IN_STEPS] = load(history, at);
+            old[..IN_STEPS].copy_from_slice(&kept);
+        }
         let (stress, new, left) = self.damaged(point, &seen, old);
-        store(&new, history, at);
+        if point.looked_at {
+            store(&new, history, at);
+        } else {
+            let mut kept = [L::splat(0.0); IN_STEPS];
+            kept.copy_from_slice(&new[..IN_STEPS]);
+            store(&kept, history, at);
+        }
         InPlace { stress, left, before: self.unbroken(&old), now: self.unbroken(&new) }
     }
 }

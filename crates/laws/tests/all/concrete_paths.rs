@@ -13,7 +13,7 @@ fn laws() -> &'static [Concrete] {
     LAWS.get_or_init(all_variants)
 }
 
-type State = ([f64; 6], [f64; 15]);
+type State = ([f64; 6], [f64; 21]);
 
 /// Follows straight lines between the corners, `steps` a side, and shows every state.
 fn follow(
@@ -55,7 +55,7 @@ proptest! {
     #[test]
     fn damage_never_falls_and_stays_between_0_and_1((law, corners) in paths()) {
         let law = &laws()[law];
-        let mut last = [0.0; 15];
+        let mut last = [0.0; 21];
         let mut wrong = None;
         follow(law, &corners, 10, &point(1e-5, 0.4), |strain, (stress, history)| {
             for k in [0, 1, 3, 6, 7, 8] {

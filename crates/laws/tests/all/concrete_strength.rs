@@ -265,7 +265,7 @@ fn no_stress_uses_more_than_it_is_said_to_use_at_most() {
             for share in [0.3, 0.6, 0.9, 1.2] {
                 let yes = law.uses_at_most(&stress, share);
                 assert!(!yes || used <= share, "{stress:?} uses {used}, not at most {share}");
-                let static_use = law.tension_use(&stress, &[0.0; 6], &[0.0; 15]).unwrap();
+                let static_use = law.tension_use(&stress, &[0.0; 6], &[0.0; 21]).unwrap();
                 (said, below) = (said + usize::from(yes), below + usize::from(static_use < 0.99 * share));
             }
         }

@@ -4,6 +4,7 @@ use crate::common::Random;
 use crate::common::concrete::*;
 use tremolite_laws::materials::Concrete;
 use tremolite_laws::parameter::position;
+use tremolite_laws::sym3::eigen;
 use tremolite_laws::{Material, Point, Role, virgin};
 
 /// Edges \[m\] along the ring, along the cavern and through the thickness of a lining.
@@ -105,7 +106,53 @@ fn what_the_stress_explains_is_no_crack() {
     assert_eq!([history[1], width(&history)], [0.0; 2]);
 }
 
-/// Where nobody looks the width stays what it was; all else is as if somebody did.
+/// Openings \[m\], falling, and the normals of the cracks.
+fn openings(history: &<Concrete as Material>::History<f64>) -> ([f64; 3], [[f64; 3]; 3]) {
+    let first = position(Concrete::HISTORY, Role::CrackOpenings).unwrap();
+    let squares: [f64; 6] = std::array::from_fn(|k| history[first + k]);
+    let found = eigen(&squares);
+    (found.values.map(|w| w.max(0.0).sqrt()), found.vectors)
+}
+
+/// A crack lies across the way in which its faces went apart, whichever edge that is of a brick turned at will; of two each has its own
+/// width and normal, the widest is that of the width.
+#[test]
+fn normals_of_cracks_are_the_ways_in_which_their_faces_went_apart() {
+    let law = cracking(&[("evolution", "exponential"), ("split", "compliance")]);
+    let mut random = Random::new(8);
+    for _ in 0..20 {
+        let r = random.rotation();
+        let squares = EDGES.map(|edge| edge * edge);
+        let size = turn(&[squares[0], squares[1], squares[2], 0.0, 0.0, 0.0], &r);
+        let point = Point { size, ..Point::new(0.0) };
+        let edge = |k: usize| -> [f64; 3] { std::array::from_fn(|i| r[i][k]) };
+        let along = |n: &[f64; 3], k: usize| (0..3).map(|i| n[i] * edge(k)[i]).sum::<f64>().abs();
+        for k in 0..3 {
+            let mut strain = [0.0; 6];
+            strain[k] = 1e-3 / EDGES[k];
+            let (_, history) = law.update(&point, turn_strain(&strain, &r), virgin::<Concrete>());
+            let (found, normals) = openings(&history);
+            let wide = width(&history);
+            assert!((found[0] - wide).abs() < 1e-12 * wide && wide > 0.5e-3, "{k}: {found:?} {wide}");
+            // Across it no more opens than what is left of f_t makes of its lateral strain.
+            assert!(found[1] < THRESHOLD * EDGES[0], "one crack: {found:?}");
+            assert!(along(&normals[0], k) > 1.0 - 1e-12, "{k}: {normals:?}");
+        }
+        // Through the thickness the wider one, along the axis another.
+        let strain = [0.0, 1e-3 / EDGES[1], 3e-3 / EDGES[2], 0.0, 0.0, 0.0];
+        let (_, history) = law.update(&point, turn_strain(&strain, &r), virgin::<Concrete>());
+        let (found, normals) = openings(&history);
+        assert!((found[0] - width(&history)).abs() < 1e-12 * found[0]);
+        assert!(along(&normals[0], 2) > 1.0 - 1e-9 && along(&normals[1], 1) > 1.0 - 1e-9, "{normals:?}");
+        assert!((found[0] - 3e-3).abs() < THRESHOLD * EDGES[2], "{found:?}");
+        assert!(
+            (found[1] - 1e-3).abs() < THRESHOLD * EDGES[1] && found[2] < THRESHOLD * EDGES[0],
+            "{found:?}"
+        );
+    }
+}
+
+/// Where nobody looks the width stays what it was, and all openings; all else is as if somebody did.
 #[test]
 fn the_width_alone_waits_until_somebody_looks() {
     let mut random = Random::new(11);
@@ -118,13 +165,13 @@ fn the_width_alone_waits_until_somebody_looks() {
     let mut moved = 0;
     for step in 0..200 {
         let strain = std::array::from_fn(|_| 1e-3 * random.symmetric());
-        let last = without[column];
+        let last: Vec<f64> = without[column..].to_vec();
         let (stress, new) = law.update(&seen, strain, with);
         let (same, now) = law.update(&unseen, strain, without);
-        assert_eq!(now[column], last);
+        assert_eq!(now[column..], last);
         (with, without) = (new, now);
         moved += usize::from(with[column] != without[column]);
-        without[column] = with[column];
+        without[column..].copy_from_slice(&with[column..]);
         assert_eq!((stress, with), (same, without), "step {step}");
     }
     assert!(moved > 100, "{moved} widths of 200 changed");

@@ -111,7 +111,9 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
         CavernShape::Horseshoe => {
             let [low, high] = HORSESHOE.map(|share| share * cavern.width);
             if !(low..=high).contains(&cavern.height) {
-                let must = format!("from {low} m to {high} m for a horseshoe of this width");
+                let must = format!(
+                    "from {low} m to {high} m for a horseshoe of this width: a higher hall has straight walls, shape = \"arch\""
+                );
                 return Err(value(key("height"), cavern.height, must));
             }
             let [low, high] = Tube::new(cavern).wall();

@@ -41,6 +41,13 @@ pub const TEXTS: Texts = &[
         "Widest crack {opening} mm, at {time} s in element {element} at {place}.",
         "最大裂缝宽度 {opening} mm，出现在 {time} s，单元 {element}，位于 {place}。",
     ),
+    ("Across the bars round the ring {opening} mm at most.", "与环向钢筋相交的裂缝最大 {opening} mm。"),
+    ("Across the bars along the axis {opening} mm at most.", "与纵向钢筋相交的裂缝最大 {opening} mm。"),
+    ("Where walls meet {opening} mm at most.", "墙体交接处最大 {opening} mm。"),
+    (
+        "Parallel to the wall {opening} mm at most: no bar of the section crosses these.",
+        "平行于壁面的裂缝最大 {opening} mm：没有截面钢筋与之相交。",
+    ),
     (
         "First {measure} at {time} s in element {element} at {place}.",
         "{time} s 首次{measure}，单元 {element}，位于 {place}。",

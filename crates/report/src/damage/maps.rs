@@ -260,7 +260,13 @@ impl Scene {
         };
         let [svg, narrow] = [(&wide, title), (&narrow, "")].map(|(row, title)| {
             let maps: Vec<_> = maps.iter().map(|map| frame(row, map)).collect();
-            row.draw(title, &maps, &say!(language, "a section coloured by element"))
+            let title = match thick.factor > 1.0 && !title.is_empty() {
+                true => {
+                    say!(language, "{title} (thickness × {factor})", title = title, factor = thick.factor)
+                }
+                false => title.to_owned(),
+            };
+            row.draw(&title, &maps, &say!(language, "a section coloured by element"))
         });
         let plane = on_plane(language, cut.y);
         let more = if thick.factor > 1.0 {

@@ -149,6 +149,53 @@ pub fn place(source: &Source, used: &Used) -> String {
     }
 }
 
+/// Where in its lining a station lies; of files of older versions a station.
+pub fn part(language: Language, part: &str) -> String {
+    match part {
+        "crown" => say!(language, "crown"),
+        "haunch" => say!(language, "haunch"),
+        "wall" => say!(language, "wall"),
+        "foot" => say!(language, "foot of the wall"),
+        "floor" => say!(language, "floor"),
+        _ => say!(language, "station"),
+    }
+}
+
+/// N, M and V of a station that used most, with the resistance to shear beside them.
+pub fn forces(language: Language, used: &Used) -> String {
+    let [n, m, v] = used.forces.map(kilo);
+    // None by the code, or in files of older versions, whose zero is none either.
+    match used.resistance.is_finite()
+        && (used.resistance > 0.0 || used.value.is_infinite() || used.value.is_nan())
+    {
+        true => say!(
+            language,
+            "N {thrust}, V {shear}, V_Rd {resistance} kN/m, M {moment} kN m/m",
+            thrust = n,
+            shear = v,
+            resistance = kilo(used.resistance),
+            moment = m
+        ),
+        false => {
+            say!(language, "N {thrust}, V {shear} kN/m, M {moment} kN m/m", thrust = n, shear = v, moment = m)
+        }
+    }
+}
+
+/// At how many stations nothing is borne at some time, and the largest tension there; empty where something always is.
+pub fn unborne(language: Language, of: &SectionStrength) -> String {
+    match (of.unborne, of.unborne_thrust > 0.0) {
+        (0, _) => String::new(),
+        (stations, true) => say!(
+            language,
+            "∞ at {stations}, tension there up to {thrust} kN/m",
+            stations = stations,
+            thrust = kilo(of.unborne_thrust)
+        ),
+        (stations, false) => say!(language, "∞ at {stations}", stations = stations),
+    }
+}
+
 /// By which rule a lining is judged, in a sentence or two.
 pub fn rule(source: &Source, lining: &str, of: &SectionStrength) -> String {
     let language = source.language;
@@ -222,9 +269,10 @@ pub fn figure(
     let still = |when: &str| when != "max" && when != "max_shear";
     type Value = fn(&UtilisationRow) -> f64;
     type Of<'a> = &'a dyn Fn(&str) -> bool;
-    let wanted: [(String, Of, Value, usize); 3] = [
+    let wanted: [(String, Of, Value, usize); 4] = [
         (say!(language, "thrust and moment, after the stages"), &still, |r| r.bending, 3),
         (say!(language, "thrust and moment, largest in the earthquake"), &|w| w == "max", |r| r.bending, 1),
+        (say!(language, "shear, after the stages"), &still, |r| r.shear, 4),
         (say!(language, "shear, largest in the earthquake"), &|w| w == "max_shear", |r| r.shear, 0),
     ];
     let curve = |(name, when, value, colour): (String, Of, Value, usize)| {
@@ -234,6 +282,7 @@ pub fn figure(
         let pen = match colour {
             3 => Pen::Marked,
             1 => Pen::Curve,
+            4 => Pen::Dotted,
             _ => Pen::Dashed,
         };
         (points.len() > 1).then(|| PlotCurve::new(name, colour, pen, points))

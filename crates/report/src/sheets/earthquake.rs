@@ -87,12 +87,34 @@ fn beside_target(source: &Source, summary: &Summary) -> Option<Fact> {
         most = figures(most.1, 2),
         long = trimmed(&figures(most.0, 2))
     );
-    Some(card(
-        say!(language, "Motion given over design spectrum"),
-        text,
-        say!(language, "the larger horizontal component, 5 % damping"),
-    ))
+    let mut below: Vec<f64> =
+        ratios.iter().filter(|(_, ratio)| *ratio < LEAST_RATIO).map(|(t, _)| *t).collect();
+    below.sort_by(f64::total_cmp);
+    let period = |t: f64| trimmed(&figures(t, 2));
+    let label = say!(language, "Motion given over design spectrum");
+    let note = say!(language, "the larger horizontal component, 5 % damping");
+    Some(match below[..] {
+        [] => {
+            let text = say!(language, "{ratio}: nowhere below 0.9 (EN 1998-1 3.2.3.1.2)", ratio = text);
+            card(label, text, note)
+        }
+        [first, ..] => {
+            let text = say!(
+                language,
+                "{ratio}: below 0.9 at {number} of {all} periods between {first} and {last}\u{a0}s, where EN 1998-1 3.2.3.1.2 asks for 0.9 of the mean of all records from 0.2 to 2 T_1",
+                ratio = text,
+                number = below.len(),
+                all = ratios.len(),
+                first = period(first),
+                last = period(below[below.len() - 1])
+            );
+            card(label, text, note).warning()
+        }
+    })
 }
+
+/// Of the spectrum called for, which that of the motion must not fall below.
+const LEAST_RATIO: f64 = 0.9;
 
 /// A spectrum at a period \[s\], straight between its points in logarithms; none beyond them, or beside one that is 0.
 fn at(spectrum: &TargetSpectrum, period: f64) -> Option<f64> {

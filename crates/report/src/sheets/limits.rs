@@ -1,14 +1,14 @@
 //! Limits of acceptance beside what was found.
 
 use serde::Serialize;
-use tremolite_results::Summary;
+use tremolite_results::{Cracks, Summary};
 
-use crate::damage::opening;
+use crate::damage::{direction, told};
 use crate::facts::key_results::{largest_displacement, largest_relative, loose_monitors};
-use crate::language::say;
+use crate::language::{Language, say};
 use crate::quantities::scale::{figures, trimmed};
 use crate::quantities::units::Kind;
-use crate::section_forces::used::{left, overloaded, place, shown};
+use crate::section_forces::used::{forces, left, overloaded, part, place, shown};
 use crate::sheets::model::of_another_concrete;
 use crate::source::Source;
 use crate::source::monitor_pairs::held;
@@ -39,7 +39,7 @@ type Found = Option<(f64, String, String)>;
 /// The limits that the case or the command gave.
 pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
     let language = source.language;
-    let told = |name: &str, limit: f64| match name {
+    let found_of = |name: &str, limit: f64| match name {
         "displacement" => (
             say!(language, "Displacement of a monitor"),
             source.quantity(Kind::Displacement, limit),
@@ -51,9 +51,22 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
             relative(source, summary),
         ),
         "crack_width" => {
-            (say!(language, "Crack width"), source.quantity(Kind::Opening, limit), crack(source, summary))
+            let name = match tells_directions(summary) {
+                true => say!(language, "Width of cracks across bars"),
+                false => say!(language, "Crack width"),
+            };
+            (name, source.quantity(Kind::Opening, limit), crack(source, summary))
         }
-        "damage" => (say!(language, "Cracked share of a lining's volume"), percent(limit), cracked(summary)),
+        "damage" => (
+            say!(language, "Cracked share of a lining's volume"),
+            percent(limit),
+            share(summary, "d_tension"),
+        ),
+        "crushing" => (
+            say!(language, "Crushed or sheared share of a lining's volume"),
+            percent(limit),
+            share(summary, "d_shear"),
+        ),
         "utilisation" => (
             say!(language, "Utilisation of a section"),
             trimmed(&figures(limit, 3)),
@@ -62,9 +75,10 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
         other => (other.to_owned(), trimmed(&figures(limit, 3)), None),
     };
     let row = |(name_of, &limit): (&String, &f64)| {
-        let (name, limit_text, found) = told(name_of, limit);
+        let (name, limit_text, found) = found_of(name_of, limit);
         // What cannot crack has no cracked share.
-        let idle = name_of == "damage" && found.is_none() && cannot_crack(summary);
+        let idle =
+            matches!(name_of.as_str(), "damage" | "crushing") && found.is_none() && cannot_crack(summary);
         // Of several linings the widest crack is none where one of them has no width.
         let beyond = unknown_crack(summary).filter(|_| name_of == "crack_width");
         let found = found.filter(|(value, ..)| beyond.is_none() || *value > limit);
@@ -132,8 +146,28 @@ fn displacement(source: &Source, summary: &Summary) -> Found {
     let (monitor, time, size) = largest_displacement(source, summary)?;
     let at = crate::quantities::scale::moment(time, source.duration());
     let note = say!(source.language, "{monitor} at {time}\u{a0}s", monitor = monitor, time = at);
+    let note = match beside(source, monitor, time) {
+        Some(free) => say!(
+            source.language,
+            "{place}, when the free field beside it has moved by {free}",
+            place = note,
+            free = source.quantity(Kind::Displacement, free)
+        ),
+        None => note,
+    };
     let loose = loose_monitors(summary);
     Some((size, source.quantity(Kind::Displacement, size), without(source, note, &loose)))
+}
+
+/// How far \[m\] the free field beside a monitor has moved at a time \[s\]: its velocity in the rows of free_field.csv, by the trapezoidal rule.
+fn beside(source: &Source, monitor: &str, time: f64) -> Option<f64> {
+    let field = source.free_field.as_ref()?.as_ref().ok()?;
+    let moved = |velocity: &Vec<f64>| {
+        let steps = field.time.windows(2).zip(velocity.windows(2)).take_while(|(t, _)| t[1] <= time);
+        steps.map(|(t, v)| 0.5 * (v[0] + v[1]) * (t[1] - t[0])).sum::<f64>()
+    };
+    let size = field.beside.get(monitor)?.iter().map(moved).map(|u| u * u).sum::<f64>().sqrt();
+    size.is_finite().then_some(size)
 }
 
 fn relative(source: &Source, summary: &Summary) -> Found {
@@ -160,28 +194,83 @@ fn crack(source: &Source, summary: &Summary) -> Found {
     modelled(source, summary).into_iter().chain(coded).max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
+/// Whether the results tell which way cracks run.
+pub fn tells_directions(summary: &Summary) -> bool {
+    summary.parts.damage.values().any(|group| group.cracks.as_ref().is_some_and(|c| c.across().is_some()))
+}
+
+/// The widest crack of all linings that crosses bars, or whatever its direction where the results do not tell that.
 fn modelled(source: &Source, summary: &Summary) -> Found {
+    let language = source.language;
+    let judged = |cracks: &Cracks| match cracks.across() {
+        Some(across) => (across.opening, across.widest, Some(across.direction)),
+        None => (cracks.opening, cracks.widest, None),
+    };
     let all = summary.parts.damage.iter().filter_map(|(name, group)| Some((name, group.cracks.as_ref()?)));
-    let (name, cracks) = all.reduce(|a, b| if b.1.opening > a.1.opening { b } else { a })?;
-    match cracks.widest {
-        Some(_) => {
-            let note =
-                say!(source.language, "{lining}, widest in the run, in whatever direction", lining = name);
-            Some((cracks.opening, opening(source, cracks), note))
-        }
-        None => Some((0.0, say!(source.language, "none"), String::new())),
+    let all = all.map(|(name, cracks)| (name, judged(cracks)));
+    let (name, (width, widest, runs)) = all.reduce(|a, b| if b.1.0 > a.1.0 { b } else { a })?;
+    let note = match (widest.is_some(), runs) {
+        (false, _) => String::new(),
+        (true, Some(runs)) => say!(
+            language,
+            "{lining}, {direction}, widest in the run",
+            lining = name,
+            direction = direction(language, runs)
+        ),
+        (true, None) => say!(language, "{lining}, widest in the run, in whatever direction", lining = name),
+    };
+    let found = if widest.is_some() { told(source, width) } else { say!(language, "none") };
+    Some((width, found, with_parallel(source, summary, note)))
+}
+
+/// A note with the widest crack parallel to the wall, which no bars cross and no limit of width is for.
+fn with_parallel(source: &Source, summary: &Summary, note: String) -> String {
+    let parallel = summary.parts.damage.values().filter_map(|group| group.cracks.as_ref()?.parallel());
+    let parallel = parallel.filter(|of| of.widest.is_some());
+    let Some(of) = parallel.max_by(|a, b| a.opening.total_cmp(&b.opening)) else { return note };
+    let text =
+        say!(source.language, "parallel to the wall, not judged: {width}", width = told(source, of.opening));
+    match note.is_empty() {
+        true => text,
+        false => format!("{note}{}{text}", say!(source.language, "; ")),
     }
 }
 
-fn cracked(summary: &Summary) -> Found {
+/// The largest share of a lining's volume in which a measure of damage is above 0.5.
+fn share(summary: &Summary, measure: &str) -> Found {
     let share = |group: &tremolite_results::GroupDamage| {
-        let measure = group.measures.get("d_tension")?;
+        let measure = group.measures.get(measure)?;
         Some(measure.beyond.get("0.5").copied().unwrap_or(0.0) / group.volume)
     };
     let all = summary.conclusion.findings.iter().filter(|f| f.id.starts_with("damage_"));
     let all = all.filter_map(|f| Some((f.group.clone(), share(summary.parts.damage.get(&f.group)?)?)));
     let (name, most) = all.max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some((most, percent(most), name))
+}
+
+/// That limits are met, or which are not, to be said with the verdict, and its colour; nothing where there are none.
+pub fn verdict(language: Language, rows: &[LimitRow]) -> Option<(&'static str, String)> {
+    let beyond: Vec<&str> = rows.iter().filter(|row| row.is_beyond()).map(|row| row.name.as_str()).collect();
+    let met = rows.iter().filter(|row| row.class == "pass").count();
+    match (rows.is_empty(), beyond.is_empty()) {
+        (true, _) => None,
+        (false, false) => {
+            let names = beyond.join(&say!(language, "; "));
+            Some(("bad", say!(language, "Limits of acceptance not met: {names}.", names = names)))
+        }
+        (false, true) if met == rows.len() => {
+            Some(("good", say!(language, "All {met} limits of acceptance are met.", met = met)))
+        }
+        (false, true) => Some((
+            "warn",
+            say!(
+                language,
+                "{met} of {all} limits of acceptance are met; of the others nothing is known.",
+                met = met,
+                all = rows.len()
+            ),
+        )),
+    }
 }
 
 fn utilisation(source: &Source, summary: &Summary) -> Found {
@@ -196,11 +285,18 @@ fn utilisation(source: &Source, summary: &Summary) -> Found {
     let (lining, shear, used) = all.max_by(|a, b| size(a.2.value).total_cmp(&size(b.2.value)))?;
     let language = source.language;
     let way = if shear { say!(language, "in shear") } else { say!(language, "in thrust and moment") };
-    let mut note = format!("{way}{}{lining} {}", say!(language, ", "), place(source, &used));
+    let mut note = format!(
+        "{way}{}{lining}{}{} {}; {}",
+        say!(language, ", "),
+        say!(language, ", "),
+        part(language, &used.part),
+        place(source, &used),
+        forces(language, &used)
+    );
     if summary.parts.sections.get(&lining).is_some_and(|of| of.yields) {
         note.push_str(&say!(language, "; a cross-check, since this lining can crack"));
         let of = summary.parts.sections.get(&lining);
-        if of.is_some_and(|of| of_another_concrete(summary, of).is_some()) {
+        if of.is_some_and(|of| !of_another_concrete(summary, of).is_empty()) {
             note.push_str(&say!(language, ", and of another concrete than the model's"));
         }
     }

@@ -1,6 +1,6 @@
 //! Materials, damping, boundaries and stages in a line each.
 
-use tremolite_results::{EFFECTIVE, MaterialValue, SectionStrength, Summary};
+use tremolite_results::{Border, EFFECTIVE, LiningExtent, MaterialValue, SectionStrength, Summary};
 
 use crate::drawing::plot::range;
 use crate::facts::materials;
@@ -34,7 +34,7 @@ const TOLD: [&str; 13] = [
 ];
 
 /// By which code sections are judged, with its factors and the bars.
-fn sections(source: &Source, summary: &Summary, of: &SectionStrength) -> String {
+fn sections(source: &Source, of: &SectionStrength) -> String {
     let language = source.language;
     let factor = |x: f64| trimmed(&figures(x, 3));
     let mut parts = vec![of.code.clone()];
@@ -55,25 +55,31 @@ fn sections(source: &Source, summary: &Summary, of: &SectionStrength) -> String 
         ));
     }
     let area = |x: f64| format!("{:.0}", 1e6 * x);
-    parts.push(match of.borders.iter().map(|b| b.bars).find(|bars| *bars != [0.0; 2]) {
-        Some([inner, outer]) => {
+    let millimetres = |x: f64| if x.is_finite() { format!("{:.0}", 1e3 * x) } else { "–".to_owned() };
+    parts.push(match of.borders.iter().find(|b| b.bars != [0.0; 2]) {
+        Some(Border { bars: [inner, outer], depths, .. })
+            if depths.iter().any(|x| x.is_finite() && *x > 0.0) =>
+        {
+            say!(
+                language,
+                "bars {inner} inside, {outer} mm²/m outside, their axes {near} and {far} mm from the faces",
+                inner = area(*inner),
+                outer = area(*outer),
+                near = millimetres(depths[0]),
+                far = millimetres(depths[1])
+            )
+        }
+        Some(Border { bars: [inner, outer], .. }) => {
             say!(
                 language,
                 "bars {inner} inside, {outer} mm²/m outside",
-                inner = area(inner),
-                outer = area(outer)
+                inner = area(*inner),
+                outer = area(*outer)
             )
         }
         None if of.reinforced == 0 => say!(language, "no bars"),
         None => say!(language, "with bars"),
     });
-    if let Some(strength) = of_another_concrete(summary, of) {
-        parts.push(say!(
-            language,
-            "not the concrete of the model, whose f_c is {strength}",
-            strength = trimmed(&quantity("Pa", strength))
-        ));
-    }
     if of.steel > 0.0 && of.reinforced > 0 {
         parts.push(format!("f_yk {}", trimmed(&quantity("Pa", of.steel))));
     }
@@ -82,19 +88,123 @@ fn sections(source: &Source, summary: &Summary, of: &SectionStrength) -> String 
 
 /// The strength that a law of concrete is given or works out.
 const STRENGTH: &str = "compressive_strength";
-/// By this share the strength of a section and that of the model's concrete may differ and still be those of one concrete.
-const ALIKE: f64 = 0.25;
+/// The tensile strength of such a law.
+const TENSION: &str = "tensile_strength";
+/// Mean strength of cylinders over the characteristic one \[Pa\], and the share of a mean tensile strength that is its 5 % fractile
+/// (EN 1992-1-1 table 3.1).
+const MEAN_ABOVE: f64 = 8e6;
+const FRACTILE: f64 = 0.7;
+/// By this share a strength may lie outside characteristic and mean of its grade: grades are rounded.
+const ROUNDED: f64 = 0.05;
 
-/// The compressive strength of the concrete of the model where it is not that of the section.
-pub fn of_another_concrete(summary: &Summary, of: &SectionStrength) -> Option<f64> {
-    let strengths = summary.computed.materials.values().filter(|facts| facts.law.starts_with("concrete"));
-    let strengths = strengths.flat_map(|facts| &facts.values).filter(|value| value.name == STRENGTH);
-    let characteristic = of.compression * of.factors.gamma_c / of.factors.alpha_cc;
-    let unlike = |value: f64| (value / characteristic - 1.0).abs() > ALIKE;
-    let all: Vec<f64> = strengths.map(|value| value.value).collect();
-    // Of several concretes it is not known which is the lining's.
-    let [only] = all[..] else { return None };
-    (of.yields && unlike(only)).then_some(only)
+/// A strength of the model's concrete that is not that of the section: its symbol, its value, and the characteristic and mean value of
+/// the section's grade \[Pa\].
+pub struct Unlike {
+    symbol: &'static str,
+    value: f64,
+    grade: [f64; 2],
+}
+
+/// The strengths of the model's concrete that lie outside characteristic and mean of the section's grade.
+pub fn of_another_concrete(summary: &Summary, of: &SectionStrength) -> Vec<Unlike> {
+    let laws = || summary.computed.materials.values().filter(|facts| facts.law.starts_with("concrete"));
+    let only = |name: &str| {
+        let values: Vec<f64> =
+            laws().flat_map(|facts| &facts.values).filter(|v| v.name == name).map(|v| v.value).collect();
+        // Of several concretes it is not known which is the lining's.
+        if let [only] = values[..] { Some(only) } else { None }
+    };
+    let factors = &of.factors;
+    let compression = of.compression * factors.gamma_c / factors.alpha_cc;
+    let tension = of.tension * factors.gamma_c / factors.alpha_ct;
+    let each = [
+        ("f_c", STRENGTH, [compression, compression + MEAN_ABOVE]),
+        ("f_t", TENSION, [tension, tension / FRACTILE]),
+    ];
+    let found = each.into_iter().filter_map(|(symbol, name, grade)| {
+        let value = only(name)?;
+        let inside = value >= (1.0 - ROUNDED) * grade[0] && value <= (1.0 + ROUNDED) * grade[1];
+        (!inside && grade.iter().all(|x| x.is_finite())).then_some(Unlike { symbol, value, grade })
+    });
+    found.filter(|_| of.yields).collect()
+}
+
+/// That sections are judged with another concrete than that of the model, and what the rate does to either; nothing where they are not.
+fn concretes(source: &Source, summary: &Summary) -> Option<Fact> {
+    let language = source.language;
+    let (of, unlike) = summary.parts.sections.values().find_map(|of| {
+        let unlike = of_another_concrete(summary, of);
+        (!unlike.is_empty()).then_some((of, unlike))
+    })?;
+    let strength = |x: f64| trimmed(&quantity("Pa", x));
+    let told = unlike.iter().map(|one| {
+        say!(
+            language,
+            "{symbol} {value} in the model, {least} (characteristic) to {mean} (mean) by {grade}",
+            symbol = one.symbol,
+            value = strength(one.value),
+            least = strength(one.grade[0]),
+            mean = strength(one.grade[1]),
+            grade = if of.grade.is_empty() { of.code.clone() } else { of.grade.clone() }
+        )
+    });
+    let text = told.collect::<Vec<String>>().join(&say!(language, "; "));
+    let rates = summary.computed.materials.values().flat_map(|facts| &facts.values);
+    let rate = rates.filter(|value| value.name == "rate").find(|value| value.word != STATIC);
+    let dynamic = trimmed(&figures(of.factors.dynamic, 3));
+    let note = match rate {
+        Some(rate) => say!(
+            language,
+            "the model's strength grows with the strain rate ({law}), that of the sections is × {dynamic} in the earthquake",
+            law = rate.word,
+            dynamic = dynamic
+        ),
+        None => say!(
+            language,
+            "static in the model, × {dynamic} in the sections in the earthquake",
+            dynamic = dynamic
+        ),
+    };
+    Some(card(say!(language, "Concretes differ"), text, note).warning())
+}
+
+/// The clear width, height and length of linings.
+fn halls(source: &Source, summary: &Summary) -> Option<Fact> {
+    let language = source.language;
+    let length = |x: f64| trimmed(&format!("{x:.1}"));
+    let told = |(name, of): (&String, &LiningExtent)| {
+        let [width, along, height] = of.clear.map(length);
+        say!(
+            language,
+            "{lining} {width} m wide, {height} m high, {along} m long",
+            lining = name,
+            width = width,
+            height = height,
+            along = along
+        )
+    };
+    let all: Vec<String> = summary.computed.linings.iter().take(HALLS).map(told).collect();
+    let note = say!(language, "clear, between the lining's inner faces; along y what the model has of it");
+    (!all.is_empty()).then(|| card(say!(language, "Halls"), all.join(&say!(language, "; ")), note))
+}
+
+/// Halls whose size is told.
+const HALLS: usize = 4;
+
+/// How linings lie on the rock.
+fn on_rock(source: &Source, summary: &Summary) -> Option<Fact> {
+    let language = source.language;
+    if summary.computed.linings.is_empty() {
+        return None;
+    }
+    let label = say!(language, "Lining on rock");
+    let interfaces = &summary.parts.interfaces;
+    if interfaces.is_empty() {
+        let text = say!(language, "tied to the rock: it neither parts from it nor slides on it");
+        return Some(card(label, text, ""));
+    }
+    let all: Vec<String> = interfaces.iter().map(|(name, of)| format!("{name} ({})", of.law)).collect();
+    Some(card(say!(language, "Interfaces"), all.join(&say!(language, "; ")), ""))
 }
 
 /// The rate law of a strength that does not go by the rate.
@@ -145,11 +255,13 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     if let (Some(_), Some(first)) = (shared, tables.first()) {
         facts.push(card(say!(language, "Damping"), String::new(), first.damping.clone()));
     }
+    facts.extend(halls(source, summary));
     facts.extend(thickness(source, summary));
+    facts.extend(on_rock(source, summary));
     // A line for each way in which linings are judged.
     let mut judged: Vec<(String, Vec<&str>)> = Vec::new();
     for (lining, of) in &summary.parts.sections {
-        let text = sections(source, summary, of);
+        let text = sections(source, of);
         match judged.iter_mut().find(|(known, _)| *known == text) {
             Some((_, linings)) => linings.push(lining),
             None => judged.push((text, vec![lining])),
@@ -158,6 +270,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
     for (text, linings) in judged {
         facts.push(card(say!(language, "Sections"), text, linings.join(&say!(language, ", "))));
     }
+    facts.extend(concretes(source, summary));
     let boundaries = &summary.computed.boundaries;
     if !boundaries.is_empty() {
         let place = |place: &str| match place {

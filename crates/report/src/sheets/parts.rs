@@ -1,12 +1,13 @@
 //! What became of each part: linings in a table, what lies around them in a line each.
 
-use tremolite_results::{GroupDamage, Summary};
+use tremolite_results::{Cracks, GroupDamage, Summary};
 
 use crate::chapter::text_table::{Cell, Head, TextTable};
-use crate::damage::opening;
+use crate::damage::{direction, of_direction, opening};
 use crate::language::say;
 use crate::quantities::units::Kind;
-use crate::section_forces::used::{left, shown};
+use crate::section_forces::used::{left, shown, unborne};
+use crate::sheets::limits::tells_directions;
 use crate::source::Source;
 use crate::verdict::short_names::percent;
 use crate::verdict::surroundings;
@@ -20,6 +21,7 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
     let judged = !summary.parts.sections.is_empty();
     let can_crack = |group: &GroupDamage| group.cracks.is_some() || group.measures.contains_key("d_tension");
     let cracks = summary.parts.damage.values().any(can_crack);
+    let parallel = tells_directions(summary);
     let of_code = [
         say!(language, "utilisation, thrust and moment"),
         say!(language, "in shear"),
@@ -27,11 +29,17 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
     ];
     let of_model = [
         say!(language, "cracked volume (D⁺ > 0.5)"),
-        say!(language, "widest crack"),
+        match parallel {
+            true => say!(language, "widest crack across bars"),
+            false => say!(language, "widest crack"),
+        },
         say!(language, "through the thickness"),
     ];
     head.extend(of_code.map(Head::number).into_iter().filter(|_| judged));
     head.extend(of_model.map(Head::number).into_iter().filter(|_| cracks));
+    if parallel {
+        head.push(Head::number(say!(language, "crack parallel to the wall")));
+    }
     // By the code, of linings with bars alone.
     let lasting = summary.parts.sections.values().any(|of| of.crack.is_some());
     if lasting {
@@ -64,6 +72,11 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
                     ),
                     false => say!(language, "of {stations}", stations = of.stations),
                 };
+                let nothing = unborne(language, of);
+                let stations = match nothing.is_empty() {
+                    true => stations,
+                    false => format!("{stations}{}{nothing}", say!(language, "; ")),
+                };
                 row.push(Cell::number(of.beyond.to_string()).with(stations));
             }
             None if judged => row.extend([none(), none(), none()].map(Cell::number)),
@@ -71,6 +84,10 @@ pub fn table(source: &Source, summary: &Summary) -> TextTable {
         }
         if cracks {
             row.extend(cracked(source, summary, name));
+        }
+        if parallel {
+            let cracks = summary.parts.damage.get(name).and_then(|group| group.cracks.as_ref());
+            row.push(Cell::number(of_direction(source, cracks.and_then(|cracks| cracks.parallel()))));
         }
         if lasting {
             let of = summary.parts.sections.get(name);
@@ -97,21 +114,27 @@ fn cracked(source: &Source, summary: &Summary, name: &str) -> [Cell; 3] {
         None => cracked,
     };
     let cracks = group.and_then(|group| group.cracks.as_ref());
-    let widest = match cracks {
-        Some(cracks) if cracks.widest.is_some() => opening(source, cracks),
-        Some(_) => say!(language, "none"),
-        None => none(),
+    let across = cracks.and_then(|cracks| cracks.across());
+    let widest = match (cracks, across) {
+        (_, Some(across)) => of_direction(source, Some(across)),
+        (Some(cracks), None) if cracks.widest.is_some() => opening(source, cracks),
+        (Some(_), None) => say!(language, "none"),
+        (None, None) => none(),
     };
     let widest = Cell::number(widest);
-    // Of loose pieces it means little.
-    let widest = match cracks
-        .filter(|cracks| cracks.widest.is_some() && !cracks.is_loose() && cracks.left.is_finite())
-    {
-        Some(cracks) => {
-            let left = source.quantity(Kind::Opening, cracks.left);
-            widest.with(say!(language, "{left} at the end", left = left))
+    // Of loose pieces the width at the end means little.
+    let known = |width: f64, left: f64| width <= Cracks::LOOSE && left.is_finite();
+    let left = |left: f64| say!(language, "{left} at the end", left = source.quantity(Kind::Opening, left));
+    let widest = match (cracks, across) {
+        (_, Some(of)) if of.widest.is_some() => {
+            let runs = direction(language, of.direction);
+            widest.with(match known(of.opening, of.left) {
+                true => format!("{runs}{}{}", say!(language, ", "), left(of.left)),
+                false => runs,
+            })
         }
-        None => widest,
+        (Some(of), None) if of.widest.is_some() && known(of.opening, of.left) => widest.with(left(of.left)),
+        _ => widest,
     };
     let through = match cracks {
         Some(cracks) => {

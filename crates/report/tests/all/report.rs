@@ -306,6 +306,7 @@ pub fn cracked() -> GroupDamage {
             opening: 2.4e-4,
             widest,
             left: 1.1e-4,
+            directions: Vec::new(),
             stacks: 96,
             through: 7,
             through_at: Some(Place { element: 4713, at: [0.0; 3] }),

@@ -20,6 +20,8 @@ pub fn judged(value: f64) -> SectionStrength {
         stage: String::new(),
         time,
         forces: [-1.234e6, 0.321e6, 0.456e6],
+        resistance: 0.789e6,
+        part: "haunch".into(),
     };
     SectionStrength {
         code: "EN 1992-1-1".into(),

@@ -28,6 +28,9 @@ pub struct Computed {
     /// The stress before anything was done, in the middle of what is excavated first, else of the model; none in files of older versions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub initial_stress: Option<InitialStress>,
+    /// Lining → its extent; of linings of which section forces are taken.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub linings: IndexMap<String, LiningExtent>,
     /// `pressure` and `earthquake` → where the pressure of the water comes from and what becomes of it in the earthquake, by their words in
     /// a case; empty without water.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
@@ -36,6 +39,17 @@ pub struct Computed {
     pub run: RunFacts,
     /// Stages before the earthquake, in their order; the first is the initial equilibrium.
     pub stages: Vec<StageSummary>,
+}
+
+/// How far a lining extends along x, y and z (m).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct LiningExtent {
+    /// Between its inner faces: width, length and height of what it encloses. Of a lining without a floor the height is that from the foot
+    /// of its walls.
+    pub clear: [f64; 3],
+    /// Between its outer faces.
+    pub outer: [f64; 3],
 }
 
 /// The size of the model and its time step.

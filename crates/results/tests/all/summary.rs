@@ -52,7 +52,15 @@ fn summary() -> Summary {
         first: Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.0, -3.0] }),
     };
     let widest = Some(Onset { time: 5.0, element: 7, at: [0.0; 3] });
-    let cracks = Some(Cracks { opening: 1e-4, widest, left: 4e-5, stacks: 8, through: 0, through_at: None });
+    let cracks = Some(Cracks {
+        directions: Vec::new(),
+        opening: 1e-4,
+        widest,
+        left: 4e-5,
+        stacks: 8,
+        through: 0,
+        through_at: None,
+    });
     let lining = GroupDamage { volume: 10.0, measures: [("d_tension".to_owned(), tension)].into(), cracks };
     let id = "damage_hall_lining".to_owned();
     let finding = Finding::new(id, "hall.lining", Severity::Damaged, said!("cracked"), Said::default());

@@ -1,22 +1,51 @@
-//! How far cracks have opened.
+//! How far cracks have opened, and which way they run.
+
+mod directions;
 
 use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
-use tremolite_engine::phase::ElementSlot;
+use crate::history::History;
+use directions::{Frame, frames, widths};
+use std::collections::HashMap;
+use tremolite_engine::model::Model;
+use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
+use tremolite_results::CrackDirection;
 
 /// Keeps by element (in the order of members) the widest crack seen at one of its points \[m\], and when \[s\], and the widest when
 /// somebody looked last, under [`Cracks::OPENING`], [`Cracks::TIME`] and [`Cracks::LAST`] in the state.
+///
+/// The same by the direction in which cracks run ([`CrackDirection`]) for those elements alone, by the lining's frame at each.
 ///
 /// How wide a crack is the law says ([`Role::CrackWidth`]). Where several parallel cracks cross an element it is their sum, and of
 /// an element that has come loose it means nothing.
 pub struct Cracks {
     schedule: Schedule,
     elements: Which,
-    /// Elements whose law knows how wide its cracks are, with the column.
-    cells: Vec<(ElementSlot, usize)>,
+    cells: Vec<Cell>,
+}
+
+/// An element whose law knows how wide its cracks are.
+struct Cell {
+    slot: ElementSlot,
+    width: usize,
+    /// The first of the openings squared, if the law keeps them.
+    openings: Option<usize>,
+    frame: Option<Frame>,
+}
+
+/// Key of what is remembered by direction: for each cell and direction what [`Opened`] holds.
+const DIRECTIONS: &str = "crack directions";
+const EACH: usize = 3;
+
+/// The widest crack of one direction in an element \[m\], when it was \[s\], and how wide it was when somebody looked last.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Opened {
+    pub widest: f64,
+    pub time: f64,
+    pub last: f64,
 }
 
 impl Cracks {
@@ -26,22 +55,52 @@ impl Cracks {
 
     /// The observer, if a law of the model can crack.
     pub fn new(setting: &Setting) -> Option<Self> {
-        let column = |slot: &ElementSlot| {
-            position(setting.assembly.members[slot.member as usize].part.columns(), Role::CrackWidth)
-        };
-        let slots = || {
-            let slots = setting.phase.element_slot.iter().enumerate();
-            slots.filter_map(|(e, slot)| slot.and_then(|slot| Some((e, slot, column(&slot)?))))
-        };
+        let columns = |slot: &ElementSlot| setting.assembly.members[slot.member as usize].part.columns();
+        let slots = || cracking(setting.phase, |slot| position(columns(slot), Role::CrackWidth).is_some());
         let mut bodies = setting.model.user_bodies().iter();
         bodies.any(|body| position(body.material.info().history, Role::CrackWidth).is_some()).then(|| {
+            let frames = frames(setting.model);
+            let cell = |(e, slot): (u32, ElementSlot)| {
+                let width = position(columns(&slot), Role::CrackWidth)?;
+                let openings = position(columns(&slot), Role::CrackOpenings);
+                Some(Cell { slot, width, openings, frame: frames.get(&e).copied() })
+            };
             Cracks {
                 schedule: setting.rows(),
-                elements: Which::some(slots().map(|(e, ..)| e)),
-                cells: slots().map(|(_, slot, column)| (slot, column)).collect(),
+                elements: Which::some(slots().map(|(e, _)| e as usize)),
+                cells: slots().filter_map(cell).collect(),
             }
         })
     }
+}
+
+const ALL: [CrackDirection; 4] = CrackDirection::ALL;
+
+/// Elements of the mesh whose law knows how wide its cracks are, in their order.
+fn cracking(phase: &Phase, knows: impl Fn(&ElementSlot) -> bool) -> impl Iterator<Item = (u32, ElementSlot)> {
+    let slots = (0u32..).zip(&phase.element_slot);
+    slots.filter_map(move |(e, slot)| slot.filter(|slot| knows(slot)).map(|slot| (e, slot)))
+}
+
+/// The widest crack \[m\] of each direction in an element.
+fn by_direction(
+    history: &History,
+    slot: &ElementSlot,
+    (width, openings): (usize, Option<usize>),
+    frame: Option<&Frame>,
+) -> [f64; ALL.len()] {
+    let mut found = [0.0_f64; ALL.len()];
+    let mut squares = vec![[0.0; 6]; slot.points as usize];
+    for (k, column) in openings.into_iter().flat_map(|first| first..first + 6).enumerate() {
+        squares.iter_mut().zip(history.values(slot, column)).for_each(|(of, value)| of[k] = value);
+    }
+    for (squares, width) in squares.iter().zip(history.values(slot, width)) {
+        let frame = frame.filter(|_| openings.is_some());
+        for (most, opening) in found.iter_mut().zip(widths(frame, squares, width)) {
+            *most = most.max(opening);
+        }
+    }
+    found
 }
 
 impl Observer for Cracks {
@@ -58,19 +117,63 @@ impl Observer for Cracks {
 }
 
 impl Cracks {
+    /// The widest crack \[m\] of each direction ([`CrackDirection::ALL`]) in each element of the mesh whose law tells widths, as it is open now.
+    pub fn now(model: &Model, phase: &Phase, history: &History) -> HashMap<u32, [f64; ALL.len()]> {
+        let frames = frames(model);
+        let of = |(e, slot): (u32, ElementSlot)| {
+            let width = history.with_role(&slot, Role::CrackWidth)?;
+            let openings = history.with_role(&slot, Role::CrackOpenings);
+            Some((e, by_direction(history, &slot, (width, openings), frames.get(&e))))
+        };
+        cracking(phase, |slot| history.with_role(slot, Role::CrackWidth).is_some()).filter_map(of).collect()
+    }
+
+    /// What was remembered by direction, by element of the mesh; empty where nothing was.
+    pub fn by_direction(
+        phase: &Phase,
+        history: &History,
+        memory: &Memory,
+    ) -> HashMap<u32, [Opened; ALL.len()]> {
+        let Some(directions) = memory.get(DIRECTIONS) else { return HashMap::new() };
+        let opened = |own: &[f64]| {
+            let mut all = [Opened::default(); ALL.len()];
+            for (opened, [widest, time, last]) in all.iter_mut().zip(own.as_chunks::<EACH>().0) {
+                *opened = Opened { widest: *widest, time: *time, last: *last };
+            }
+            all
+        };
+        let slots = cracking(phase, |slot| history.with_role(slot, Role::CrackWidth).is_some());
+        let own = directions.chunks_exact(EACH * ALL.len());
+        slots.zip(own).map(|((e, _), own)| (e, opened(own))).collect()
+    }
+
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { history, snapshot, .. } = *view;
         let elements = snapshot.energy.len();
         let mut take = |name: &str| memory.remove(name).unwrap_or_else(|| vec![0.0; elements]);
         let (mut widest, mut when, mut last) = (take(Self::OPENING), take(Self::TIME), take(Self::LAST));
-        for (slot, column) in &self.cells {
-            let opening = history.values(slot, *column).fold(0.0, f64::max);
+        let mut directions =
+            memory.remove(DIRECTIONS).unwrap_or_else(|| vec![0.0; EACH * ALL.len() * self.cells.len()]);
+        let own = directions.chunks_exact_mut(EACH * ALL.len());
+        for (Cell { slot, width, openings, frame }, own) in self.cells.iter().zip(own) {
+            let opening = history.values(slot, *width).fold(0.0, f64::max);
+            let each = match opening > 0.0 {
+                true => by_direction(&history, slot, (*width, *openings), frame.as_ref()),
+                false => [0.0; ALL.len()],
+            };
+            for (opening, own) in each.into_iter().zip(own.as_chunks_mut::<EACH>().0) {
+                own[2] = opening;
+                if opening > own[0] {
+                    [own[0], own[1]] = [opening, snapshot.time];
+                }
+            }
             let at = slot.element as usize;
             last[at] = opening;
             if opening > widest[at] {
                 (widest[at], when[at]) = (opening, snapshot.time);
             }
         }
+        memory.insert(DIRECTIONS.into(), directions);
         memory.insert(Self::OPENING.into(), widest);
         memory.insert(Self::TIME.into(), when);
         memory.insert(Self::LAST.into(), last);

@@ -62,6 +62,8 @@ pub use steps::{Extremes, StepPeaks};
 pub use utilisation::{Utilisation, strengths};
 pub(crate) use wishes::LaidOut;
 
+pub use tremolite_results::CrackDirection;
+
 use crate::error::RunError;
 use stages::{Begins, BesidePlanes, Relaxation, StageGrids, StageRows};
 use std::sync::Arc;

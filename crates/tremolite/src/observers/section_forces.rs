@@ -6,7 +6,9 @@ use super::observer::{Event, Observer, Setting, StageSeen, View, Wants, Which};
 use crate::error::RunError;
 use crate::plan::Plan;
 use crate::sections::{Levers, Station, Steel, forces};
-use lined::{lined, steel};
+use indexmap::IndexMap;
+pub(super) use lined::lined;
+use lined::steel;
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -17,7 +19,7 @@ use tremolite_engine::member::Kind;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_engine::water::with_pressure;
-use tremolite_results::{EFFECTIVE, ResultFolder, SectionRow, write_sections};
+use tremolite_results::{EFFECTIVE, LiningExtent, ResultFolder, SectionRow, write_sections};
 
 /// Forces by station at the end of each stage, three each, stage behind stage.
 const STAGES: &str = "section forces of stages";
@@ -152,6 +154,24 @@ impl SectionForces {
     /// Middle of the mid-surface of every station \[m\].
     pub fn places(&self) -> impl Iterator<Item = [f64; 3]> {
         self.stations.iter().map(|(_, station)| station.place)
+    }
+
+    /// How far each lining extends, by the corners of its stations' faces.
+    pub fn extents(&self) -> IndexMap<String, LiningExtent> {
+        let mut bounds: IndexMap<&str, [[[f64; 2]; 3]; 2]> = IndexMap::new();
+        for (lining, station) in &self.stations {
+            let of = bounds.entry(lining).or_insert([[[f64::INFINITY, f64::NEG_INFINITY]; 3]; 2]);
+            for (of, face) in of.iter_mut().zip(&station.faces) {
+                for corner in face {
+                    of.iter_mut().zip(corner).for_each(|(of, x)| *of = [of[0].min(*x), of[1].max(*x)]);
+                }
+            }
+        }
+        let of = |[outer, clear]: [[[f64; 2]; 3]; 2]| {
+            let [outer, clear] = [outer, clear].map(|bounds| bounds.map(|[low, high]| high - low));
+            LiningExtent { clear, outer }
+        };
+        bounds.into_iter().map(|(lining, bounds)| (lining.to_owned(), of(bounds))).collect()
     }
 
     /// The stations, each with the group that it is in and the bars in it.

@@ -20,10 +20,11 @@ use tremolite_results::{ResultFolder, SectionStrength, Used};
 use tremolite_sections::{Capacity, Layer};
 
 mod left;
+mod part;
 
 /// By stage and station N, M, Q and both utilisations, stage behind stage.
 const STAGES: &str = "utilisation of stages";
-/// By station over the shaking, of thrust with moment and then of shear: the largest utilisation, its time, N, M, Q and the other
+/// By station over the shaking, of thrust with moment and then of shear: the largest utilisation (of infinite ones that with the largest N), its time, N, M, Q and the other
 /// utilisation there and then.
 const MOST: &str = "utilisation";
 /// By station N and M of the last step that was seen.
@@ -49,6 +50,14 @@ struct Judged {
     /// What it bears before the shaking, and in it.
     still: Capacity,
     shaking: Capacity,
+}
+
+impl Judged {
+    /// V_Rd \[N/m\] at a state.
+    fn resistance(&self, state: &State) -> f64 {
+        let capacity = if state.stage.is_some() { &self.still } else { &self.shaking };
+        capacity.shear_resistance([state.forces[0], state.forces[1]])
+    }
 }
 
 /// Follows utilisations and writes them.
@@ -125,7 +134,8 @@ impl Utilisation {
         for (&[n, m, q, bending, shear], kept) in now.iter().zip(kept.chunks_exact_mut(OF_MOST)) {
             let (first, second) = kept.split_at_mut(OF_MOST / 2);
             for (used, other, kept) in [(bending, shear, first), (shear, bending, second)] {
-                if used > kept[0] {
+                let unborne = used.is_infinite() && kept[0].is_infinite() && n > kept[2];
+                if used > kept[0] || unborne {
                     kept.copy_from_slice(&[used, time, n, m, q, other]);
                 }
             }
@@ -138,6 +148,7 @@ impl Utilisation {
         for (k, judged) in self.judged.iter().enumerate() {
             rows.extend(states(&self.plan, self.judged.len(), memory, k).into_iter().map(|state| {
                 UtilisationRow {
+                    resistance: judged.resistance(&state),
                     lining: judged.lining.clone(),
                     station: judged.number,
                     place: judged.station.place,
@@ -265,6 +276,12 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
     }
     let forces = SectionForces::of(model);
     let judged = judged(model, &forces, &plan.sections);
+    let mut heights = HashMap::<&str, [f64; 2]>::new();
+    for ((lining, station), _) in forces.stations() {
+        let z = station.place[2];
+        let of = heights.entry(lining).or_insert([z; 2]);
+        *of = [of[0].min(z), of[1].max(z)];
+    }
     for (k, station) in judged.iter().enumerate() {
         let by = &plan.sections[station.by];
         let of = all.entry(station.lining.clone()).or_insert_with(|| {
@@ -275,6 +292,7 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
                 compression,
                 tension,
                 steel: f64::NAN,
+                unborne_thrust: f64::NAN,
                 factors: by.factors(),
                 plain_tension: by.rule.tension,
                 yields: groups(model).iter().any(|group| group.name == station.lining),
@@ -287,6 +305,13 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
         of.steel = station.layers.iter().fold(of.steel, |most, layer| most.max(layer.yields));
         let states = states(plan, judged.len(), memory, k);
         let [bending, shear] = [states.iter().any(|s| s.bending > 1.0), states.iter().any(|s| s.shear > 1.0)];
+        let unborne = |s: &&State| s.bending.is_infinite() || s.shear.is_infinite();
+        if let Some(thrust) = states.iter().filter(unborne).map(|s| s.forces[0]).reduce(f64::max) {
+            of.unborne += 1;
+            // Of no number and a number the number.
+            of.unborne_thrust = of.unborne_thrust.max(thrust);
+        }
+        let height = heights.get(station.lining.as_str()).copied().unwrap_or([station.station.place[2]; 2]);
         of.beyond += u64::from(bending || shear);
         of.beyond_bending += u64::from(bending);
         of.beyond_shear += u64::from(shear);
@@ -298,9 +323,15 @@ pub fn strengths(model: &Model, plan: &Plan, memory: &Memory) -> IndexMap<String
                 stage: state.stage.unwrap_or_default().to_owned(),
                 time: state.time,
                 forces: state.forces,
+                resistance: station.resistance(state),
+                part: part::part(&station.station, height).into(),
             };
             for (most, value) in [(&mut of.bending, state.bending), (&mut of.shear, state.shear)] {
-                if most.as_ref().is_none_or(|most| value > most.value) && !value.is_nan() {
+                let unborne = |most: &Used| {
+                    value.is_infinite() && most.value.is_infinite() && state.forces[0] > most.forces[0]
+                };
+                let more = |most: &Used| value > most.value || unborne(most);
+                if most.as_ref().is_none_or(more) && !value.is_nan() {
                     *most = Some(used(value));
                 }
             }

@@ -202,7 +202,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let at_bolts = bolts::monitors(case, &mesh, &mut problems);
     let solid = staged.solid();
     let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
-    let judged = sections::build(case, &mesh, &staged.places, &solid, &mut problems);
+    let judged = sections::build(case, &mesh, &staged.places, &solid, &lasting, &mut problems);
     let (base, base_without_springs) =
         springs_or_none(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
     if !problems.is_empty() {

@@ -18,12 +18,13 @@ pub fn wish(page: &Page) -> PageWish {
 
 /// Limits by the names that a summary has for them.
 pub fn limits(limits: &Limits) -> Vec<(String, f64)> {
-    let Limits { displacement, relative_displacement, crack_width, damage, utilisation } = *limits;
+    let Limits { displacement, relative_displacement, crack_width, damage, crushing, utilisation } = *limits;
     [
         ("displacement", displacement),
         ("relative_displacement", relative_displacement),
         ("crack_width", crack_width),
         ("damage", damage),
+        ("crushing", crushing),
         ("utilisation", utilisation),
     ]
     .into_iter()

@@ -4,17 +4,18 @@ use super::groups::nothing_fits;
 use crate::sections::stations;
 use crate::strength::JudgedBy;
 use std::collections::{BTreeSet, HashMap};
-use tremolite_case::{Case, Diagnostic, Section, SectionCode, pattern};
-use tremolite_engine::{Life, Stage};
+use tremolite_case::{Case, Diagnostic, Section, SectionCode, Spanned, pattern};
+use tremolite_engine::{Body, Life, Stage};
 use tremolite_mesh::Mesh;
 use tremolite_sections::{Code, Grade, Rule};
 
-/// All that a case asks for. `lives` and `solid` are as for reinforcement.
+/// All that a case asks for. `lives` and `solid` are as for reinforcement, `bodies` tell which material cracks.
 pub fn build(
     case: &Case,
     mesh: &Mesh,
     lives: &[Life],
     solid: &[bool],
+    bodies: &[Body],
     problems: &mut Vec<Diagnostic>,
 ) -> Vec<JudgedBy> {
     let standing: Vec<bool> =
@@ -25,9 +26,14 @@ pub fn build(
         let before = problems.len();
         let mut elements = BTreeSet::new();
         for on in &section.on {
-            let mut fits = mesh.groups.iter().filter(|(name, _)| pattern::matches(on, name)).peekable();
-            if fits.peek().is_none() {
+            let fits = mesh.groups.iter().filter(|(name, _)| pattern::matches(on, name));
+            if fits.clone().next().is_none() {
                 problems.push(nothing_fits(mesh, on));
+            }
+            let lined = lining(lives, bodies, mesh.elements.len());
+            let other = fits.clone().find(|(_, elements)| !elements.iter().any(|&e| lined[e as usize]));
+            if let Some((name, _)) = other {
+                problems.push(no_lining(mesh, on, name, &lined));
             }
             elements.extend(fits.flat_map(|(_, elements)| elements.iter().copied()));
         }
@@ -62,6 +68,31 @@ pub fn build(
         });
     }
     all
+}
+
+/// Which elements are of linings: a stage installs them, or their material cracks.
+fn lining(lives: &[Life], bodies: &[Body], count: usize) -> Vec<bool> {
+    let mut lined: Vec<bool> = (0..count).map(|e| lives.get(e).is_some_and(|life| life.is_later())).collect();
+    let cracks = bodies.iter().filter(|body| body.material.info().damages);
+    cracks.flat_map(|body| &body.elements).for_each(|&e| lined[e as usize] = true);
+    lined
+}
+
+/// That a group is no lining, with those that are.
+fn no_lining(mesh: &Mesh, on: &Spanned<String>, name: &str, lined: &[bool]) -> Diagnostic {
+    let all = |elements: &[u32]| !elements.is_empty() && elements.iter().all(|&e| lined[e as usize]);
+    let linings: Vec<&str> =
+        mesh.groups.iter().filter(|(_, e)| all(e)).map(|(name, _)| name.as_str()).collect();
+    Diagnostic::at(
+        on,
+        format!("'{name}' is no lining: no stage installs it, and its material does not crack"),
+        match linings.is_empty() {
+            true => {
+                "install the lining in a stage, or give its concrete law = \"concrete-damage\"".to_owned()
+            }
+            false => format!("name linings: {}", linings.join(", ")),
+        },
+    )
 }
 
 fn code(section: &Section) -> Code {

@@ -52,7 +52,13 @@ pub fn of_laws(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Diag
         warnings.push(case::Diagnostic::new(
             case.output.span.clone(),
             message,
-            "leave the field out, or change the laws",
+            match field {
+                Field::Plastic => {
+                    "take 'plastic' out of `fields`, or give rock a law that yields: mohr-coulomb, drucker-prager or hoek-brown"
+                }
+                Field::Damage => "take 'damage' out of `fields`, or give concrete law = \"concrete-damage\"",
+                _ => "take 'history' out of `fields`, or give materials laws that remember",
+            },
         ));
     }
     warnings

@@ -18,7 +18,7 @@ use tremolite_laws::{Isa, Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::locate::Locator;
 use tremolite_mesh::vtu::Grid;
-use tremolite_results::{GroupDamage, ResultFolder, Severity, Table};
+use tremolite_results::{CrackDirection, GroupDamage, ResultFolder, Severity, Table};
 
 /// A hall of 4 × 4 m in a block of 16 × 3 × 14 m, its lining of 1 m of a concrete of 0.6 MPa tensile strength.
 fn hall() -> Problem {
@@ -188,6 +188,25 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let named = format!("The widest of these cracks is in element {} at", widest.element);
     assert!(told[0].text.starts_with(&named), "{told:?}");
     assert!(crown.cracks.as_ref().unwrap().opening <= cracks.opening);
+
+    // By direction: the widest of all is one of them, and of the parts the whole's.
+    let of = |cracks: &tremolite_results::Cracks| {
+        cracks.directions.iter().map(|d| d.opening).collect::<Vec<f64>>()
+    };
+    let all = of(cracks);
+    assert_eq!(all.len(), CrackDirection::ALL.len());
+    assert_eq!(all.iter().copied().fold(0.0, f64::max), cracks.opening, "{all:?}");
+    let parts = [crown, walls].map(|g| of(g.cracks.as_ref().unwrap()));
+    assert_eq!(all, (0..all.len()).map(|k| parts[0][k].max(parts[1][k])).collect::<Vec<f64>>());
+    assert!(cracks.directions.iter().all(|d| d.left <= d.opening && (d.opening > 0.0) == d.widest.is_some()));
+    // The hall is as long as the block, and a motion across it bends its ring.
+    assert_eq!(cracks.across().unwrap().direction, CrackDirection::Longitudinal, "{cracks:?}");
+    // Where walls meet nothing tells which way they run: the four corners of the ring.
+    let corner = cracks.directions[CrackDirection::Unplaced as usize].widest;
+    assert!(
+        corner.is_none_or(|c| [5.5, 10.5].contains(&c.at[0]) && [4.5, 9.5].contains(&c.at[2])),
+        "{corner:?}"
+    );
 
     // The table over time ends with the shares of the summary, and never falls.
     let table = tremolite_results::Table::read(&folder.path().join("damage.csv")).unwrap();

@@ -68,6 +68,7 @@ problems! {
     concrete_biaxial Test,
     concrete_loops Test,
     concrete_fracture_energy Test,
+    crack_direction Verify,
     crack_width Test,
     rock_strength Test,
     circular_opening Verify,

@@ -34,9 +34,16 @@ pub(super) fn print_bolts(checked: &Checked) {
     if checked.bolts.is_empty() {
         return;
     }
-    print("\nBolts");
-    for (name, group) in &checked.bolts {
-        group_in_words(name, group).iter().for_each(|line| print(line));
+    // Reinforcement stands behind all bolts.
+    let bolts = checked.bolts.len().saturating_sub(checked.job.plan.bars);
+    for (heading, skipped, count) in [("Bolts", 0, bolts), ("Bars", bolts, usize::MAX)] {
+        let own = || checked.bolts.iter().skip(skipped).take(count);
+        if own().next().is_some() {
+            print(&format!("\n{heading}"));
+        }
+        for (name, group) in own() {
+            group_in_words(name, group).iter().for_each(|line| print(line));
+        }
     }
     for (name, bolt) in &checked.bolt_monitors {
         let [x, y, z] = bolt.at;

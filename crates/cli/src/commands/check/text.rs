@@ -2,6 +2,7 @@
 
 use super::Lines;
 use super::bolts::print_bolts;
+use super::judged::print_judged;
 use super::stages::print_stages;
 use crate::terminal::{bytes, duration, print};
 use tremolite::engine::{Proof, TRIED};
@@ -44,6 +45,7 @@ pub(super) fn print_lines(checked: &Checked, lines: Lines) {
         print_boundaries(checked);
         print_shaking(checked, motion);
     }
+    print_judged(checked);
     print_estimate(checked);
     match (checked.left_out.len(), lines) {
         (0, _) => {}

@@ -10,9 +10,12 @@
 //! depend on how axes are chosen where e_i are equal, is √(p·G·p) e of a single crack with the normal p, and the widest of
 //! several whose normals lie along a brick's edges.
 //!
-//! Nothing but results reads the width, so it is found in steps at which somebody looks ([`Point::looked_at`]).
+//! All of e⁺·G·e⁺ is kept beside the width: its principal directions are the normals of the cracks, each with a width of its own, the root of
+//! the principal value. Of a single crack the only one is p. Strain and stress of the law have the same axes, so none turns with the other.
+//!
+//! Nothing but results reads them, so they are found in steps at which somebody looks ([`Point::looked_at`]).
 
-use super::{CRACK_WIDTH, Concrete, D_TENSION, MEMORY};
+use super::{CRACK_WIDTH, Concrete, D_TENSION, MEMORY, OPENINGS};
 use crate::lane::Lane;
 use crate::material::{Point, Sym};
 use crate::sym3::{Eigen, Spectrum};
@@ -27,8 +30,17 @@ fn between<L: Lane>(size: &Sym<L>, a: &[L; 3], b: &[L; 3]) -> L {
     z.mul_add(a[2], y.mul_add(a[1], x * a[0]))
 }
 
+/// m·G·m of symmetric m and G.
+#[inline(always)]
+fn squared<L: Lane>(m: &Sym<L>, size: &Sym<L>) -> Sym<L> {
+    let [xx, yy, zz, xy, yz, zx] = *m;
+    let rows = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
+    let of = |i: usize, k: usize| between(size, &rows[i], &rows[k]);
+    [of(0, 0), of(1, 1), of(2, 2), of(0, 1), of(1, 2), of(2, 0)]
+}
+
 impl Concrete {
-    /// Writes the width of the widest crack \[m\] at the strain with these axes and at its stress, for the damage in `new`.
+    /// Writes the width of the widest crack \[m\], and e⁺·G·e⁺ \[m²\], at the strain with these axes and at its stress, for the damage in `new`.
     #[inline(always)]
     pub(super) fn open<L: Lane>(
         &self,
@@ -74,6 +86,13 @@ impl Concrete {
             width = L::select(several, together, width);
         }
         // Of a strain that is no number the directions are none either.
-        new[CRACK_WIDTH] = L::select(zero.less(e[0]), width, zero);
+        let open = zero.less(e[0]);
+        new[CRACK_WIDTH] = L::select(open, width, zero);
+        let opened = squared(&strain.recompose(e), &point.size);
+        let mut k = 0;
+        while k < 6 {
+            new[OPENINGS + k] = L::select(open, opened[k], zero);
+            k += 1;
+        }
     }
 }

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use tremolite_engine::{Model, Stage};
 
 /// The stations of whole groups that damage, or that begin with a stage, each with the name of its group.
-pub(super) fn lined(model: &Model) -> Vec<(String, Station)> {
+pub(in crate::observers) fn lined(model: &Model) -> Vec<(String, Station)> {
     let standing: Vec<bool> =
         (0..model.mesh.elements.len()).map(|e| model.stands(e, Stage::Shaking)).collect();
     let mut all = Vec::new();

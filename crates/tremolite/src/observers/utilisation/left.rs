@@ -56,6 +56,10 @@ pub fn count(of: &mut SectionStrength, station: &Judged) {
     let bars = [1.0, -1.0]
         .map(|side| station.layers.iter().filter(|l| side * l.depth > 0.0).map(|l| l.area).sum::<f64>());
     let thickness = station.station.thickness;
+    let depths = [1.0, -1.0].map(|side| {
+        let own = station.layers.iter().filter(|l| side * l.depth > 0.0);
+        own.map(|l| 0.5 * thickness - side * l.depth).fold(f64::NAN, f64::min)
+    });
     let same = |border: &&mut Border| {
         (border.thickness - thickness).abs() < THICKNESS
             && border.bars.iter().zip(bars).all(|(a, b)| (a - b).abs() < AREA)
@@ -68,7 +72,7 @@ pub fn count(of: &mut SectionStrength, station: &Judged) {
     let every = all.len().div_ceil(POINTS).max(1);
     let mut line: Vec<[f64; 2]> = all.iter().copied().step_by(every).collect();
     line.extend(line.first().copied());
-    of.borders.push(Border { thickness, bars, stations: 1, line });
+    of.borders.push(Border { thickness, bars, depths, stations: 1, line });
 }
 
 /// The most frequent kinds first, and no more than are kept.
