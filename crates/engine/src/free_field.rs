@@ -37,8 +37,55 @@ pub trait GivenField: Send + Sync {
         let _ = (nodes, points);
     }
 
+    /// A place with what the field knows of it, once it is [prepared](GivenField::prepare): of displacements and velocities, or of stresses.
+    fn spot(&self, at: [f64; 3], of: Asked) -> Spot {
+        let _ = of;
+        Spot::anywhere(at)
+    }
+
+    /// u_ff \[m\] at spots of [motion](Asked::Motion), as many as there is room for.
+    fn displacements(&self, spots: &[Spot], time: f64, out: &mut [[f64; 3]]) {
+        out.iter_mut().zip(spots).for_each(|(u, spot)| *u = self.displacement(spot.at, time));
+    }
+
+    /// v̄_ff \[m/s\] there.
+    fn velocities(&self, spots: &[Spot], time: f64, dt: f64, out: &mut [[f64; 3]]) {
+        out.iter_mut().zip(spots).for_each(|(v, spot)| *v = self.velocity(spot.at, time, dt));
+    }
+
+    /// σ_ff \[Pa\] at spots of [stress](Asked::Stress).
+    fn stresses(&self, spots: &[Spot], time: f64, out: &mut [[f64; 6]]) {
+        out.iter_mut().zip(spots).for_each(|(stress, spot)| *stress = self.stress(spot.at, time));
+    }
+
     /// The largest velocity that any place has at any time, or a bound on it \[m/s\]: the guard goes by it before energy comes in.
     fn peak_velocity(&self) -> f64;
+}
+
+/// What a boundary asks a given field for at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// Displacement and velocity.
+    Motion,
+    Stress,
+}
+
+/// A place at which a boundary asks in every step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// m
+    pub at: [f64; 3],
+    /// The number of its height among those that a field has prepared; [`Spot::UNKNOWN`] where it has none.
+    pub height: u32,
+}
+
+impl Spot {
+    pub const UNKNOWN: u32 = u32::MAX;
+
+    /// Of which nothing is known beforehand.
+    pub fn anywhere(at: [f64; 3]) -> Self {
+        Spot { at, height: Spot::UNKNOWN }
+    }
 }
 
 /// An incident wave, travelling up through the base.
@@ -179,13 +226,20 @@ pub enum Now<'a> {
 }
 
 impl Now<'_> {
-    /// u − u_ff \[m\] at a place that has moved by `u`; `all` are the displacements of the engine's nodes.
-    pub fn scattered(&self, place: &Place, mut u: [f64; 3], all: &[Row]) -> [f64; 3] {
+    /// u_ff \[m\] of a given field at some spots; rest of a wave that rises, which knows of its columns alone.
+    pub fn displacements(&self, spots: &[Spot]) -> Vec<[f64; 3]> {
+        let mut out = vec![[0.0; 3]; spots.len()];
+        if let Now::Given(field, time) = self {
+            field.displacements(spots, *time, &mut out);
+        }
+        out
+    }
+
+    /// u − u_ff \[m\] at a place that has moved by `u`; `given` is u_ff of a given field there, `all` are the displacements of the engine's
+    /// nodes.
+    pub fn scattered(&self, place: &Place, mut u: [f64; 3], given: [f64; 3], all: &[Row]) -> [f64; 3] {
         match self {
-            Now::Given(field, time) => {
-                let free = field.displacement(place.at, *time);
-                (0..3).for_each(|i| u[i] -= free[i]);
-            }
+            Now::Given(..) => (0..3).for_each(|i| u[i] -= given[i]),
             Now::Rising(_) => {
                 for &(node, weight) in &place.bottoms {
                     let bottom = all[node as usize].xyz();
@@ -196,11 +250,15 @@ impl Now<'_> {
         u
     }
 
-    /// The stresses \[Pa\] at some points; none of a wave that rises, which has no use for them.
-    pub fn stresses(&self, points: impl Iterator<Item = [f64; 3]>) -> Vec<[f64; 6]> {
+    /// The stresses \[Pa\] at some spots; none of a wave that rises, which has no use for them.
+    pub fn stresses(&self, spots: &[Spot]) -> Vec<[f64; 6]> {
         match self {
             Now::Rising(_) => Vec::new(),
-            Now::Given(field, time) => points.map(|at| field.stress(at, *time)).collect(),
+            Now::Given(field, time) => {
+                let mut out = vec![[0.0; 6]; spots.len()];
+                field.stresses(spots, *time, &mut out);
+                out
+            }
         }
     }
 
@@ -210,16 +268,17 @@ impl Now<'_> {
     pub fn push<'a>(
         &self,
         dashpot: &[f64; 6],
-        tractions: impl Iterator<Item = ([f64; 3], f64)>,
+        tractions: impl Iterator<Item = (&'a Row, f64)>,
         ends: impl Iterator<Item = (&'a End, &'a [f64; 6])>,
     ) -> [f64; 3] {
         match self {
             Now::Rising(velocity) => times(dashpot, velocity.map(|v| 2.0 * v)),
             Now::Given(..) => {
-                let mut sum = [0.0; 3];
+                let mut sum = Row::ZERO;
                 for (traction, area) in tractions {
-                    (0..3).for_each(|i| sum[i] += area * traction[i]);
+                    (0..4).for_each(|i| sum.0[i] += area * traction.0[i]);
                 }
+                let mut sum = sum.xyz();
                 for (end, stress) in ends {
                     let force = end.force(stress);
                     (0..3).for_each(|i| sum[i] += force[i]);

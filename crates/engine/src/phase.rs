@@ -12,7 +12,7 @@ use crate::boundary;
 use crate::boundary::matrix::add;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
-use crate::free_field::Leader;
+use crate::free_field::{Asked, Leader, Spot};
 use crate::interface::Seam;
 use crate::life::Stage;
 use crate::member::{Kind, Member};
@@ -125,6 +125,8 @@ pub struct Phase {
     pub dashpots: Vec<(u32, Dashpot)>,
     /// What nodes follow by dashpots: the places of a given free field, then engine nodes in the order in which they are advanced.
     pub leaders: Vec<Leader>,
+    /// The first of them, those of a given free field, as it knows them.
+    pub given: Vec<Spot>,
     /// What takes part in a step, by the coarsest level that has an own step there. The last has everything; before the shaking
     /// it is the only one.
     pub beats: Vec<Beat>,
@@ -134,6 +136,14 @@ pub struct Phase {
     pub element_slot: Vec<Option<ElementSlot>>,
     /// What of it one rank has, where several work on the model: beats are then that rank's.
     pub ours: Option<Ours>,
+}
+
+/// What a given free field knows of the places at which others follow it, which are the first of all leaders.
+fn given(model: &Model, leaders: &[Leader]) -> Vec<Spot> {
+    let Some(field) = &model.boundaries.free_field else { return Vec::new() };
+    let given = leaders.iter().take_while(|leader| matches!(leader, Leader::Given(_)));
+    let at = |leader: &Leader| model.mesh.nodes[model.mesh_node[leader.node() as usize] as usize];
+    given.map(|leader| field.spot(at(leader), Asked::Motion)).collect()
 }
 
 impl Phase {
@@ -326,6 +336,7 @@ impl Phase {
             slot_account,
             tied,
             dashpots: dashpots.into_iter().collect(),
+            given: given(model, &leaders),
             leaders,
             beats,
             borders,

@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 use std::sync::Arc;
 use tremolite_engine::model::Model;
 use tremolite_mesh::locate::Location;
-use tremolite_motion::{Complex64, Motion};
+use tremolite_motion::{Complex64, Motion, Sample};
 use tremolite_results::{PageWish, TargetSpectrum};
 
 /// A point whose histories are kept.
@@ -68,19 +68,23 @@ pub struct PlannedWaves {
 }
 
 impl PlannedWaves {
-    /// Of a field, and the motion on the time of the record, in the model's axes.
+    /// Of a field, and the motion on the time of the record, in the model's axes. It goes on until the last corner of the base has had it.
     pub fn new(field: ObliqueField, frame: Frame, waves: Vec<Entering>, given: &Motion) -> PlannedWaves {
         let rows = (field.lead() / given.dt).round() as usize;
-        let late = |columns: &[Vec<f64>; 3]| {
-            columns
-                .each_ref()
-                .map(|column| std::iter::repeat_n(0.0, rows).chain(column.iter().copied()).collect())
+        let behind = (field.late() / given.dt).ceil() as usize;
+        let after: Vec<Sample> =
+            (1..=behind).map(|k| given.at(given.duration() + k as f64 * given.dt)).collect();
+        let late = |columns: &[Vec<f64>; 3], of: fn(&Sample) -> [f64; 3]| {
+            [0, 1, 2].map(|axis| {
+                let after = after.iter().map(|sample| of(sample)[axis]);
+                std::iter::repeat_n(0.0, rows).chain(columns[axis].iter().copied()).chain(after).collect()
+            })
         };
         let motion = Motion {
             dt: given.dt,
-            acceleration: late(&given.acceleration),
-            velocity: late(&given.velocity),
-            displacement: late(&given.displacement),
+            acceleration: late(&given.acceleration, |sample| sample.a),
+            velocity: late(&given.velocity, |sample| sample.v),
+            displacement: late(&given.displacement, |sample| sample.u),
         };
         let incident = incident(&waves, rows, &motion);
         PlannedWaves { field: Arc::new(field), frame, waves, motion, incident }
@@ -190,6 +194,11 @@ impl Plan {
     pub fn shaken_by<'a>(&'a self, model: &'a Model) -> Option<&'a Motion> {
         let rises = model.boundaries.incident.as_ref().map(|incident| &incident.motion);
         rises.or(self.waves.as_ref().map(|waves| &waves.motion))
+    }
+
+    /// By how much waves at angles come later to the model's last corner than where [the motion](Plan::shaken_by) is given \[s\].
+    pub fn late(&self) -> f64 {
+        self.waves.as_ref().map_or(0.0, |waves| waves.field.late())
     }
 
     /// Time between rows of the histories \[s\] where steps of the finest level are stable up to `step` \[s\]: as asked for, or every one.

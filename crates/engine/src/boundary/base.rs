@@ -5,7 +5,7 @@
 //! ([`crate::engine`]); this part gives the other terms, of which the [free field](crate::free_field) says what bears its index.
 
 use super::matrix::times;
-use crate::free_field::{End, FreeField, Now, Place};
+use crate::free_field::{Asked, End, FreeField, Now, Place, Spot};
 use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
 use std::collections::BTreeMap;
 use tremolite_kernels::{Line, Lines};
@@ -31,9 +31,9 @@ impl BaseNode {
         self.spring != [0.0; 6]
     }
 
-    /// u − u_ff \[m\].
-    fn scattered(&self, now: &Now, u: &[Row]) -> [f64; 3] {
-        now.scattered(&self.place, u[self.node as usize].xyz(), u)
+    /// u − u_ff \[m\]; `given` is u_ff of a given field here.
+    fn scattered(&self, now: &Now, given: [f64; 3], u: &[Row]) -> [f64; 3] {
+        now.scattered(&self.place, u[self.node as usize].xyz(), given, u)
     }
 }
 
@@ -42,8 +42,11 @@ pub struct BasePart {
     nodes: Vec<u32>,
     pushed: Vec<BaseNode>,
     free_field: FreeField,
-    /// The points of all faces with their normals, each once though up to four nodes share it.
-    points: Vec<[[f64; 3]; 2]>,
+    /// Where springs are, in the order of their nodes.
+    sprung: Vec<Spot>,
+    /// The points of all faces, each once though up to four nodes share it, and their normals.
+    points: Vec<Spot>,
+    normals: Vec<[f64; 3]>,
     /// Node after node, which points are its own, with N dA \[m²\], and where those of each end: one piece of memory, which is gone through in
     /// every step.
     shares: Vec<(u32, f64)>,
@@ -54,12 +57,17 @@ pub struct BasePart {
 
 impl BasePart {
     pub fn new(mut pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
-        let (mut points, mut known) = (Vec::new(), BTreeMap::new());
+        let spot = |at, of| match &free_field {
+            FreeField::Given(field) => field.spot(at, of),
+            FreeField::Beside(_) => Spot::anywhere(at),
+        };
+        let (mut points, mut normals, mut known) = (Vec::new(), Vec::new(), BTreeMap::new());
         let mut number = |at: [f64; 3], normal: [f64; 3]| -> u32 {
             // The middle of a triangle's edge is one of its neighbour too, which beyond an edge of the model has another normal.
             let key = (at.map(f64::to_bits), normal.map(|x| (1e3 * x).round() as i64));
             *known.entry(key).or_insert_with(|| {
-                points.push([at, normal]);
+                points.push(spot(at, Asked::Stress));
+                normals.push(normal);
                 points.len() as u32 - 1
             })
         };
@@ -75,7 +83,17 @@ impl BasePart {
             ends.push(std::mem::take(&mut base.place.ends).into_iter().map(end).collect());
         }
         let nodes = pushed.iter().map(|b| b.node).collect();
-        BasePart { nodes, pushed, free_field, points, shares, share_ends, ends }
+        let sprung = pushed.iter().filter(|base| base.is_sprung());
+        let sprung = sprung.map(|base| spot(base.place.at, Asked::Motion)).collect();
+        BasePart { nodes, pushed, free_field, sprung, points, normals, shares, share_ends, ends }
+    }
+
+    /// σ_ff \[Pa\] at all points, and σ_ff·n there.
+    fn tractions(&self, now: &Now) -> (Vec<[f64; 6]>, Vec<Row>) {
+        let stresses = now.stresses(&self.points);
+        let of = |(stress, normal): (&[f64; 6], &[f64; 3])| Row::new(times(stress, *normal));
+        let tractions = stresses.iter().zip(&self.normals).map(of).collect();
+        (stresses, tractions)
     }
 
     /// By node its points, with N dA \[m²\].
@@ -94,10 +112,11 @@ impl Part for BasePart {
     }
 
     fn bytes(&self) -> usize {
-        let BasePart { nodes, pushed, points, shares, share_ends, ends, .. } = self;
+        let BasePart { nodes, pushed, sprung, points, normals, shares, share_ends, ends, .. } = self;
+        let points = size_of_val(&sprung[..]) + size_of_val(&points[..]) + size_of_val(&normals[..]);
         let shares = size_of_val(&shares[..]) + size_of_val(&share_ends[..]);
         let ends: usize = ends.iter().map(|own| size_of_val(own) + size_of_val(&own[..])).sum();
-        size_of_val(&nodes[..]) + size_of_val(&pushed[..]) + size_of_val(&points[..]) + shares + ends
+        size_of_val(&nodes[..]) + size_of_val(&pushed[..]) + points + shares + ends
     }
 
     /// The bottoms of the columns whose motion is the free field, from which springs count.
@@ -118,17 +137,19 @@ impl Part for BasePart {
         let now = self.free_field.now(tick.time);
         let pushes = self.free_field.line();
         let mut work = Lines::default();
-        let stresses = now.stresses(self.points.iter().map(|[at, _]| *at));
-        let tractions: Vec<[f64; 3]> =
-            stresses.iter().zip(&self.points).map(|(stress, [_, normal])| times(stress, *normal)).collect();
+        let (stresses, tractions) = self.tractions(&now);
+        let mut given = now.displacements(&self.sprung).into_iter();
         let last = own.numbers.chunks_exact_mut(REMEMBERED);
         let beside = self.of_nodes().zip(&self.ends);
         for (((base, (points, ends)), out), last) in self.pushed.iter().zip(beside).zip(out).zip(last) {
             let du = x.increment(base.node).xyz();
-            let scattered = if base.is_sprung() { base.scattered(&now, x.u) } else { [0.0; 3] };
+            let scattered = match base.is_sprung() {
+                true => base.scattered(&now, given.next().unwrap_or_default(), x.u),
+                false => [0.0; 3],
+            };
             let spring = times(&base.spring, scattered);
             let before = times(&base.spring, [last[0], last[1], last[2]]);
-            let points = points.iter().map(|&(k, area)| (tractions[k as usize], area));
+            let points = points.iter().map(|&(k, area)| (&tractions[k as usize], area));
             let ends = ends.iter().map(|(k, end)| (end, &stresses[*k as usize]));
             let push = now.push(&base.dashpot, points, ends).map(|f| -f);
             for i in 0..3 {
@@ -197,11 +218,8 @@ mod tests {
         let part = BasePart::new(vec![node], FreeField::Given(Arc::new(Pressed)));
         assert_eq!(part.points.len(), 2);
         let now = part.free_field.now(0.0);
-        let stresses = now.stresses(part.points.iter().map(|[at, _]| *at));
-        let tractions = part
-            .shares
-            .iter()
-            .map(|&(k, area)| (times(&stresses[k as usize], part.points[k as usize][1]), area));
+        let (_, tractions) = part.tractions(&now);
+        let tractions = part.shares.iter().map(|&(k, area)| (&tractions[k as usize], area));
         assert_eq!(now.push(&[0.0; 6], tractions, std::iter::empty()), [-4.0, -3.0, 0.0]);
     }
 }

@@ -19,7 +19,7 @@ use tremolite_mesh::Face;
 #[derive(Default)]
 pub struct Members {
     pub members: Vec<Member>,
-    /// Nodes of the base, those of slabs and columns included; empty for a base without dashpots.
+    /// Nodes of the base, those of slabs and columns included, without their places; empty for a base without dashpots.
     pub base: Vec<BaseNode>,
     /// Distance R used for the springs of the base \[m\].
     pub spring_distance: Option<f64>,
@@ -36,13 +36,22 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
         let shares = out.base.iter().flat_map(|base| &base.place.shares);
         field.prepare(&nodes, &shares.map(|(at, _)| at[2]).collect::<Vec<_>>());
     }
-    let counted = out.base.iter().filter(|node| node.counted).cloned().collect();
-    let outside = out.base.iter().filter(|node| !node.counted).cloned().collect();
+    // Shares of faces go to the parts: the phases need none, and they are the most of a given field's memory beside its series.
+    let whole = |base: &mut BaseNode| {
+        let place = std::mem::take(&mut base.place);
+        BaseNode { place, ..base.clone() }
+    };
+    let (counted, outside): (Vec<_>, Vec<_>) = out.base.iter_mut().map(whole).partition(|node| node.counted);
     let all: [(_, Vec<BaseNode>, _); 2] =
         [("springs of the base", counted, true), ("base of the free field", outside, false)];
     let free_field = around.asked.waves();
     for (name, nodes, counted) in all {
-        for nodes in pieces(nodes, PIECE, |base| around.level[base.node as usize]) {
+        let level = |base: &BaseNode| around.level[base.node as usize];
+        let pieces = match around.asked.free_field {
+            Some(_) => compact(nodes, PIECE, level),
+            None => pieces(nodes, PIECE, level),
+        };
+        for nodes in pieces {
             let part = Box::new(BasePart::new(nodes, free_field.clone()));
             let line = Some(Line::Springs);
             let member = Member::of(Kind::Boundary, name, part);
@@ -50,6 +59,37 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
         }
     }
     Ok(out)
+}
+
+/// Nodes of a level together that lie near one another, in pieces of a size at most: points of faces between two pieces are asked for by
+/// both.
+fn compact(nodes: Vec<BaseNode>, size: usize, level: impl Fn(&BaseNode) -> u8) -> Vec<Vec<BaseNode>> {
+    let mut of_level: BTreeMap<u8, Vec<BaseNode>> = BTreeMap::new();
+    nodes.into_iter().for_each(|base| of_level.entry(level(&base)).or_default().push(base));
+    let mut out = Vec::new();
+    let mut left: Vec<Vec<BaseNode>> = of_level.into_values().rev().collect();
+    while let Some(mut own) = left.pop() {
+        if own.len() <= size {
+            out.push(own);
+            continue;
+        }
+        let along = |axis: usize, pick: fn(f64, f64) -> f64, from: f64| {
+            own.iter().map(|base| base.place.at[axis]).fold(from, pick)
+        };
+        let length = |axis| along(axis, f64::max, f64::NEG_INFINITY) - along(axis, f64::min, f64::INFINITY);
+        let lengths = [length(0), length(1), length(2)];
+        let longest = (0..3).fold(0, |most, axis| if lengths[axis] > lengths[most] { axis } else { most });
+        let order = [longest, (longest + 1) % 3, (longest + 2) % 3];
+        own.sort_by(|a, b| {
+            let [a, b] = [a, b].map(|base| order.map(|axis| base.place.at[axis]));
+            let compared = a.iter().zip(&b).map(|(a, b)| a.total_cmp(b));
+            compared.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+        });
+        let half = own.len().div_ceil(size) / 2 * size;
+        let behind = own.split_off(half);
+        left.extend([behind, own]);
+    }
+    out
 }
 
 /// Dashpots and springs of the base in the shaking, those of slabs and columns included.

@@ -76,9 +76,10 @@ pub(super) fn node_step(
     let free = |v: [f64; 3], k: &Row| {
         [0, 1, 2].map(|i| -force.0[i] * inverse.0[i] - omega * v[i] - xi * inverse.0[i] * k.0[i])
     };
+    let follows = dashpot.map_or(&[][..], |dashpot| &dashpot.follows);
     let pull = |of: fn(&Lead) -> Row| {
         let mut pull = [0.0; 3];
-        for follow in dashpot.iter().flat_map(|dashpot| &dashpot.follows) {
+        for follow in follows {
             let lead = of(&leads[follow.place as usize]);
             let force = times(&follow.matrix, lead.xyz());
             (0..3).for_each(|i| pull[i] += force[i]);

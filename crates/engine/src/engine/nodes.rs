@@ -4,7 +4,7 @@ use super::accounts::Accounts;
 use super::gather::{dot, expect, force, net};
 use super::node_step::{Damping, Dashpots, Lead, NodeStep, Products, damping, node_step};
 use super::split::split;
-use crate::free_field::Leader;
+use crate::free_field::{Leader, Spot};
 use crate::model::Model;
 use crate::phase::Phase;
 use crate::phase::beats::{Beat, Border, Drifting, span};
@@ -166,14 +166,24 @@ pub(super) fn given(
     leads: &mut [Lead],
 ) {
     let Some(field) = &model.boundaries.free_field else { return };
-    let velocity = |&place: &u32| {
-        let node = phase.leaders[place as usize].node() as usize;
-        let at = model.mesh.nodes[model.mesh_node[node] as usize];
-        let dt = dt * span(model.nodes.level[node]) as f64;
-        time.map_or(Row::ZERO, |time| Row::new(field.velocity(at, time, dt)))
+    let level = |place: &u32| model.nodes.level[phase.leaders[*place as usize].node() as usize];
+    let velocities = |places: &[u32]| -> Vec<[f64; 3]> {
+        let mut found = vec![[0.0; 3]; places.len()];
+        let Some(time) = time else { return found };
+        let spots: Vec<Spot> = places.iter().map(|&place| phase.given[place as usize]).collect();
+        let mut first = 0;
+        // Those of a level have one step.
+        for alike in places.chunk_by(|a, b| level(a) == level(b)) {
+            let dt = dt * span(level(&alike[0])) as f64;
+            let of = first..first + alike.len();
+            field.velocities(&spots[of.clone()], time, dt, &mut found[of]);
+            first += alike.len();
+        }
+        found
     };
-    let found: Vec<Row> = beat.given.par_iter().with_min_len(AT_ONCE).map(velocity).collect();
-    for (&place, velocity) in beat.given.iter().zip(found) {
+    let found: Vec<Vec<[f64; 3]>> = beat.given.par_chunks(AT_ONCE).map(velocities).collect();
+    for (&place, velocity) in beat.given.iter().zip(found.into_iter().flatten()) {
+        let velocity = Row::new(velocity);
         leads[place as usize] = Lead { mean: velocity, hat: velocity };
     }
 }

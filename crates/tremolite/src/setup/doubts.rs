@@ -152,10 +152,10 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<D
     doubts
 }
 
-/// A run that ends before its motion.
-pub fn of_duration(case: &case::Case, wave: &Motion) -> Option<Diagnostic> {
+/// A run that ends before its motion, which comes to the last corner of the model by `late` \[s\] later.
+pub fn of_duration(case: &case::Case, wave: &Motion, late: f64) -> Option<Diagnostic> {
     let duration = case.dynamic.duration.as_ref()?;
-    let share = left_after(wave, duration.value);
+    let share = left_after(wave, duration.value - late);
     (share > NOT_RUN).then(|| {
         Diagnostic::at(
             duration,

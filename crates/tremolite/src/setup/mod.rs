@@ -271,7 +271,8 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(bare);
     warnings.extend(facts.iter().flat_map(|facts| facts.warnings.clone()));
     warnings.extend(motion.iter().flat_map(|motion| warnings::of_motion(case, motion, reference)));
-    warnings.extend(motion.and_then(|motion| doubts::of_duration(case, motion)));
+    let late = at_angles.as_ref().map_or(0.0, |waves| waves.field.late());
+    warnings.extend(motion.and_then(|motion| doubts::of_duration(case, motion, late)));
     warnings.extend(motion.and_then(|motion| unlikely::duration(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_mass_damping(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_rows(case, motion)));

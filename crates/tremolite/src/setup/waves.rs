@@ -270,6 +270,20 @@ fn field(
         duration: case.dynamic.duration.as_ref().map(|duration| duration.value),
         ground,
     };
+    if let Some(at) = &written.at {
+        let delays = waves.iter().flat_map(|wave| frame.delays(&wave.heading));
+        let longest = delays.map(f64::abs).fold(0.0, f64::max);
+        if longest > given.duration() {
+            return Err(Diagnostic::at(
+                at,
+                format!(
+                    "waves come to the model {longest:.1} s before or after this place, longer than the record lasts ({:.1} s)",
+                    given.duration()
+                ),
+                "name a place in the model or near it, in the model's axes",
+            ));
+        }
+    }
     let field = ObliqueField::new(&frame, &waves).map_err(|found| {
         Diagnostic::new(
             written.waves[found.wave].span.clone(),

@@ -30,7 +30,7 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     } else {
         0.0
     });
-    TrustLine::at_most(ID, name, left_after(motion, time), NOT_RUN, "")
+    TrustLine::at_most(ID, name, left_after(motion, time - evidence.plan.late()), NOT_RUN, "")
         .with("end", time)
         .with("motion", motion.duration())
         .with_note(said!(

@@ -245,14 +245,13 @@ impl Answered {
                 kinds.map(|(rate, slope)| Of { component, rate, slope })
             })
             .collect();
-        let of_level = |at: &At| -> [Vec<f32>; 2] {
+        let of_level = |(at, kept): (&At, [&mut [f32]; 2])| {
             let found = self.spectra().at(*at, &all);
-            [(0, moved), (moved, moved + pulled)].map(|(from, to)| {
-                let mut kept = Vec::with_capacity(wanted * (to - from) * KEPT);
-                for k in first..first + wanted {
+            for ((from, to), kept) in [(0, moved), (moved, moved + pulled)].into_iter().zip(kept) {
+                for (k, sample) in (first..).zip(kept.chunks_exact_mut((to - from) * KEPT)) {
                     let grown = self.grown(k);
                     let [ramp, steep] = faded(k - first, fade);
-                    for component in from..to {
+                    for (component, kept) in (from..to).zip(sample.chunks_exact_mut(KEPT)) {
                         let [f, ft, fz, ftz] = [0, 1, 2, 3].map(|i| grown * found[component * KEPT + i][k]);
                         let own = [
                             ramp * f,
@@ -261,15 +260,18 @@ impl Answered {
                             ramp * ftz * self.dt + steep * fz,
                         ];
                         // The wave comes in at the first sample, where round-off is all there is.
-                        kept.extend(own.map(|x| if k == first { 0.0 } else { x as f32 }));
+                        let own = own.map(|x| if k == first { 0.0 } else { x as f32 });
+                        kept.copy_from_slice(&own);
                     }
                 }
-                kept
-            })
+            }
         };
-        let of_levels: Vec<[Vec<f32>; 2]> = grid.levels.par_iter().map(of_level).collect();
-        let whole = |k: usize| of_levels.iter().flat_map(|level| level[k].iter().copied()).collect();
-        Kept { moved: whole(0), pulled: whole(1), start: (first as f64 - self.zero as f64) * self.dt }
+        // Into what is kept at once: series beside it would take as much again.
+        let sizes = self.components.map(|count| wanted * count * KEPT);
+        let [mut moved, mut pulled] = sizes.map(|size| vec![0.0_f32; grid.count() * size]);
+        let rows = moved.par_chunks_mut(sizes[0]).zip(pulled.par_chunks_mut(sizes[1]));
+        grid.levels.par_iter().zip(rows.map(|(moved, pulled)| [moved, pulled])).for_each(of_level);
+        Kept { moved, pulled, start: (first as f64 - self.zero as f64) * self.dt }
     }
 }
 

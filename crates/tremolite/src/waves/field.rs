@@ -7,7 +7,7 @@ use super::heading::{Heading, WaveType};
 use super::heights::{self, AtHeights, Heights};
 use super::series::{Rings, Series, arrives, bytes};
 use std::sync::{Arc, OnceLock};
-use tremolite_engine::free_field::GivenField;
+use tremolite_engine::free_field::{Asked, GivenField, Spot};
 use tremolite_motion::{Complex64, Motion};
 
 /// A wave as it enters.
@@ -77,6 +77,7 @@ pub struct ObliqueField {
     /// Of the ground \[m\].
     height: f64,
     lead: f64,
+    late: f64,
     prepared: OnceLock<Prepared>,
 }
 
@@ -94,7 +95,7 @@ const MOST_PREPARED: usize = 2;
 
 impl Frame {
     /// The later a wave comes to the corners than to the reference point, least and most \[s\].
-    fn delays(&self, heading: &Heading) -> [f64; 2] {
+    pub fn delays(&self, heading: &Heading) -> [f64; 2] {
         let p = heading.slowness(&self.ground.below());
         let of = |x: usize, y: usize| {
             let [dx, dy] = [self.bounds[x][0] - self.at[0], self.bounds[y][1] - self.at[1]];
@@ -107,7 +108,9 @@ impl Frame {
     /// Until when the series of a wave are asked for \[s\], on the time of its record.
     fn until(&self, wave: &Entering) -> f64 {
         let [least, most] = self.delays(&wave.heading);
-        self.duration.unwrap_or(0.0).max(wave.motion.duration()) + (most - least) + 20.0 / self.frequency
+        self.duration.unwrap_or(0.0).max(wave.motion.duration())
+            + (most.max(0.0) - least)
+            + 20.0 / self.frequency
     }
 
     /// Bytes of the series of some waves, without a lead where nothing arrives.
@@ -133,7 +136,7 @@ impl ObliqueField {
     /// # Errors
     /// If the ground rings longer under a wave than can be followed.
     pub fn new(frame: &Frame, waves: &[Entering]) -> Result<ObliqueField, Unsuitable> {
-        let mut lead = 0.0_f64;
+        let (mut lead, mut late) = (0.0_f64, 0.0_f64);
         let mut all = Vec::with_capacity(waves.len());
         for (k, wave) in waves.iter().enumerate() {
             let displacement = |t: f64| wave.sum(wave.motion.at(t).u, |factor| factor.re);
@@ -146,17 +149,29 @@ impl ObliqueField {
             };
             let series = Series::of(&frame.ground, &wave.heading, &signal)
                 .map_err(|rings| Unsuitable { wave: k, rings })?;
-            lead = lead.max(-frame.delays(&wave.heading)[0] - series.start);
+            let [least, most] = frame.delays(&wave.heading);
+            lead = lead.max(-least - series.start);
+            late = late.max(most);
             let p = wave.heading.slowness(&frame.ground.below());
             all.push(OneWave { heading: wave.heading, slowness: wave.heading.along.map(|h| p * h), series });
         }
+        // Whole samples, so that the record on the time of the run is the record.
+        let sample = waves.first().map_or(0.0, |wave| wave.motion.dt);
+        if sample > 0.0 {
+            lead = (lead / sample * (1.0 - 1e-12)).ceil() * sample;
+        }
         let (base, height) = (frame.bounds[0][2], frame.ground.height());
-        Ok(ObliqueField { waves: all, at: frame.at, base, height, lead, prepared: OnceLock::new() })
+        Ok(ObliqueField { waves: all, at: frame.at, base, height, lead, late, prepared: OnceLock::new() })
     }
 
-    /// By how much the field is later than the records \[s\], so that nothing moves at time 0.
+    /// By how much the field is later than the records \[s\], so that nothing moves at time 0; samples of the first record.
     pub fn lead(&self) -> f64 {
         self.lead
+    }
+
+    /// By how much waves come later than to the reference point, at most, to the corner of the base that they reach last \[s\].
+    pub fn late(&self) -> f64 {
+        self.late
     }
 
     /// What the series take of memory.
@@ -173,83 +188,113 @@ impl ObliqueField {
     }
 }
 
-/// A height that is asked for: by its number where it was named beforehand.
-#[derive(Clone, Copy)]
-enum At<'a> {
-    Ready(&'a Prepared, usize),
-    Above(f64),
+impl OneWave {
+    /// Components of displacement \[m\], or of stress \[Pa\], at a spot and a time of the series \[s\].
+    #[inline(always)]
+    fn there<const V: usize>(
+        &self,
+        ready: Option<&AtHeights>,
+        height: f64,
+        number: u32,
+        time: f64,
+        of: Asked,
+    ) -> [f64; V] {
+        match (ready, of) {
+            (Some(ready), _) if number != Spot::UNKNOWN => ready.at(number as usize, time),
+            (_, Asked::Motion) => self.series.displacement(height, time),
+            (_, Asked::Stress) => self.series.stress(height, time),
+        }
+    }
 }
 
 impl ObliqueField {
-    /// Where displacements are asked for, or stresses.
-    fn level(&self, z: f64, of: fn(&Prepared) -> &Heights) -> At<'_> {
-        let height = z - self.base;
-        let ready = self.prepared.get().and_then(|ready| Some((ready, of(ready).find(height)?)));
-        ready.map_or(At::Above(height), |(ready, number)| At::Ready(ready, number))
-    }
-
-    /// Displacement \[m\] at a level and a time of each wave's series \[s\].
-    fn moved(&self, level: At, time: impl Fn(&OneWave) -> f64) -> [f64; 3] {
-        let mut out = [0.0; 3];
-        for (k, wave) in self.waves.iter().enumerate() {
-            let (time, [hx, hy]) = (time(wave), wave.heading.along);
-            if wave.heading.kind == WaveType::Sh {
-                let [u] = match level {
-                    At::Ready(ready, number) => ready.waves[k][0].at(number, time),
-                    At::Above(height) => wave.series.displacement(height, time),
-                };
-                out[0] -= hy * u;
-                out[1] += hx * u;
-            } else {
-                let [along, up] = match level {
-                    At::Ready(ready, number) => ready.waves[k][0].at(number, time),
-                    At::Above(height) => wave.series.displacement(height, time),
-                };
-                out[0] += hx * along;
-                out[1] += hy * along;
-                out[2] += up;
-            }
+    /// Calls back for each wave, with its components at each spot.
+    #[inline(always)]
+    fn each<const V: usize>(
+        &self,
+        wave: usize,
+        spots: &[Spot],
+        time: f64,
+        of: Asked,
+        mut add: impl FnMut(usize, [f64; V]),
+    ) {
+        let own = &self.waves[wave];
+        let ready =
+            self.prepared.get().map(|prepared| &prepared.waves[wave][usize::from(of == Asked::Stress)]);
+        for (k, spot) in spots.iter().enumerate() {
+            let time = self.time(own, spot.at, time);
+            add(k, own.there(ready, spot.at[2] - self.base, spot.height, time, of));
         }
-        out
     }
 }
 
 impl GivenField for ObliqueField {
     fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
-        self.moved(self.level(at[2], |ready| &ready.nodes), |wave| self.time(wave, at, time))
-    }
-
-    fn velocity(&self, at: [f64; 3], time: f64, dt: f64) -> [f64; 3] {
-        // The height is found once for both.
-        let level = self.level(at[2], |ready| &ready.nodes);
-        let [before, after] =
-            [time - dt, time + dt].map(|time| self.moved(level, |wave| self.time(wave, at, time)));
-        [0, 1, 2].map(|i| (after[i] - before[i]) / (2.0 * dt))
+        let mut out = [[0.0; 3]];
+        self.displacements(&[self.spot(at, Asked::Motion)], time, &mut out);
+        out[0]
     }
 
     fn stress(&self, at: [f64; 3], time: f64) -> [f64; 6] {
-        let mut out = [0.0; 6];
-        let level = self.level(at[2], |ready| &ready.points);
+        let mut out = [[0.0; 6]];
+        self.stresses(&[self.spot(at, Asked::Stress)], time, &mut out);
+        out[0]
+    }
+
+    fn spot(&self, at: [f64; 3], of: Asked) -> Spot {
+        let number = self.prepared.get().and_then(|prepared| {
+            let heights = if of == Asked::Stress { &prepared.points } else { &prepared.nodes };
+            heights.find(at[2] - self.base)
+        });
+        Spot { at, height: number.map_or(Spot::UNKNOWN, |number| number as u32) }
+    }
+
+    fn displacements(&self, spots: &[Spot], time: f64, out: &mut [[f64; 3]]) {
+        out.fill([0.0; 3]);
         for (k, wave) in self.waves.iter().enumerate() {
-            let (time, [x, y]) = (self.time(wave, at, time), wave.heading.along);
-            let own = if wave.heading.kind == WaveType::Sh {
-                // t = (−y, x).
-                let [along, up] = match level {
-                    At::Ready(ready, number) => ready.waves[k][1].at(number, time),
-                    At::Above(height) => wave.series.stress(height, time),
-                };
-                let twice = 2.0 * x * y * along;
-                [-twice, twice, 0.0, (x * x - y * y) * along, x * up, -y * up]
+            let [hx, hy] = wave.heading.along;
+            if wave.heading.kind == WaveType::Sh {
+                self.each(k, spots, time, Asked::Motion, |n, [u]| {
+                    out[n][0] -= hy * u;
+                    out[n][1] += hx * u;
+                });
             } else {
-                let [hh, tt, zz, hz] = match level {
-                    At::Ready(ready, number) => ready.waves[k][1].at(number, time),
-                    At::Above(height) => wave.series.stress(height, time),
-                };
-                [x * x * hh + y * y * tt, y * y * hh + x * x * tt, zz, x * y * (hh - tt), y * hz, x * hz]
-            };
-            out.iter_mut().zip(own).for_each(|(sum, s)| *sum += s);
+                self.each(k, spots, time, Asked::Motion, |n, [along, up]| {
+                    out[n][0] += hx * along;
+                    out[n][1] += hy * along;
+                    out[n][2] += up;
+                });
+            }
         }
-        out
+    }
+
+    fn velocities(&self, spots: &[Spot], time: f64, dt: f64, out: &mut [[f64; 3]]) {
+        let mut before = vec![[0.0; 3]; out.len()];
+        self.displacements(spots, time - dt, &mut before);
+        self.displacements(spots, time + dt, out);
+        for (out, before) in out.iter_mut().zip(before) {
+            *out = [0, 1, 2].map(|i| (out[i] - before[i]) / (2.0 * dt));
+        }
+    }
+
+    fn stresses(&self, spots: &[Spot], time: f64, out: &mut [[f64; 6]]) {
+        out.fill([0.0; 6]);
+        for (k, wave) in self.waves.iter().enumerate() {
+            let [x, y] = wave.heading.along;
+            let mut add = |n: usize, own: [f64; 6]| out[n].iter_mut().zip(own).for_each(|(sum, s)| *sum += s);
+            if wave.heading.kind == WaveType::Sh {
+                // t = (−y, x).
+                self.each(k, spots, time, Asked::Stress, |n, [along, up]| {
+                    let twice = 2.0 * x * y * along;
+                    add(n, [-twice, twice, 0.0, (x * x - y * y) * along, x * up, -y * up]);
+                });
+            } else {
+                self.each(k, spots, time, Asked::Stress, |n, [hh, tt, zz, hz]| {
+                    let plane = [x * x * hh + y * y * tt, y * y * hh + x * x * tt];
+                    add(n, [plane[0], plane[1], zz, x * y * (hh - tt), y * hz, x * hz]);
+                });
+            }
+        }
     }
 
     fn prepare(&self, nodes: &[f64], points: &[f64]) {

@@ -14,7 +14,7 @@ pub struct AtHeights {
     rate: f64,
     start: f64,
     samples: usize,
-    /// Of V components each.
+    /// Height after height, sample after sample, the V components and then their V slopes.
     kept: Vec<f32>,
 }
 
@@ -73,11 +73,15 @@ pub fn bytes(heights: usize, samples: usize, components: usize) -> usize {
 impl AtHeights {
     /// Of a wave's series at heights \[m\] above the base, rising: its displacements, or its stresses.
     pub fn of(series: &Series, heights: &[f64], stresses: bool) -> AtHeights {
-        let kept = heights.iter().flat_map(|&height| series.column(height, stresses)).collect();
+        // Room for all at once: a vector that grows would take up to twice as much while it does.
+        let mut kept =
+            Vec::with_capacity(heights.len() * series.samples() * KEPT * series.components(stresses));
+        heights.iter().for_each(|&height| series.column(height, stresses, &mut kept));
         AtHeights { rate: 1.0 / series.dt(), start: series.start, samples: series.samples(), kept }
     }
 
     /// Components at one of the heights, by its number.
+    #[inline(always)]
     pub fn at<const V: usize>(&self, number: usize, time: f64) -> [f64; V] {
         let place = (time - self.start) * self.rate;
         if place.is_nan() || place <= 0.0 {
@@ -90,11 +94,16 @@ impl AtHeights {
         let row = V * KEPT;
         let at = (number * self.samples + sample) * row;
         let two = &self.kept[at..at + 2 * row];
-        std::array::from_fn(|c| {
-            let [f, ft, g, gt] =
-                [two[2 * c], two[2 * c + 1], two[row + 2 * c], two[row + 2 * c + 1]].map(f64::from);
-            weights[0] * f + weights[1] * ft + weights[2] * g + weights[3] * gt
-        })
+        let [f, ft, g, gt] = [0, 1, 2, 3].map(|k| {
+            let mut of = [0.0; V];
+            of.iter_mut().zip(&two[k * V..(k + 1) * V]).for_each(|(out, &kept)| *out = f64::from(kept));
+            of
+        });
+        let mut out = [0.0; V];
+        for c in 0..V {
+            out[c] = weights[0] * f[c] + weights[1] * ft[c] + weights[2] * g[c] + weights[3] * gt[c];
+        }
+        out
     }
 
     /// What it takes of memory.

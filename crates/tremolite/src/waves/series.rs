@@ -160,21 +160,29 @@ impl Series {
         self.samples
     }
 
-    /// At a height \[m\] above the base, for each sample of each component the displacement, or the stress, and its slope in time times the
-    /// interval.
-    pub fn column(&self, height: f64, stresses: bool) -> Vec<f32> {
+    /// Components of displacement, or of stress.
+    pub fn components(&self, stresses: bool) -> usize {
+        let kept = if stresses { &self.pulled } else { &self.moved };
+        kept.len() / (self.grid.count() * self.samples * KEPT)
+    }
+
+    /// At a height \[m\] above the base, for each sample the components of displacement, or of stress, and then their slopes in time times
+    /// the interval: put behind what there is.
+    pub fn column(&self, height: f64, stresses: bool, out: &mut Vec<f32>) {
         let kept = if stresses { &self.pulled } else { &self.moved };
         let (level, cell, y) = self.grid.cell(height);
         let [z0, z1] = hermite(y).map(|[value, slope]| [value, slope * cell]);
-        let row = kept.len() / (self.grid.count() * self.samples);
+        let row = self.components(stresses) * KEPT;
         let at = |level: usize| &kept[level * self.samples * row..(level + 1) * self.samples * row];
-        let pairs = at(level).chunks_exact(KEPT).zip(at(level + 1).chunks_exact(KEPT));
-        let combined = |(a, b): (&[f32], &[f32])| {
-            let [a, b] = [a, b].map(|k| [0, 1, 2, 3].map(|i| f64::from(k[i])));
-            let of = |i: usize| (z0[0] * a[i] + z0[1] * a[i + 2] + z1[0] * b[i] + z1[1] * b[i + 2]) as f32;
-            [of(0), of(1)]
-        };
-        pairs.flat_map(combined).collect()
+        for (below, above) in at(level).chunks_exact(row).zip(at(level + 1).chunks_exact(row)) {
+            for i in [0, 1] {
+                let pairs = below.chunks_exact(KEPT).zip(above.chunks_exact(KEPT));
+                out.extend(pairs.map(|(a, b)| {
+                    let [a, b] = [a, b].map(|k| [0, 1, 2, 3].map(|i| f64::from(k[i])));
+                    (z0[0] * a[i] + z0[1] * a[i + 2] + z1[0] * b[i] + z1[1] * b[i + 2]) as f32
+                }));
+            }
+        }
     }
 
     /// What it takes of memory.

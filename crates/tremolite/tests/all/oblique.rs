@@ -3,6 +3,7 @@
 use crate::ready::Ready;
 use std::f64::consts::PI;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use tremolite::free_field::GivenField;
 use tremolite::{Base, Body, Problem, Quadrature, Side, elastic};
 use tremolite_kernels::Line;
@@ -268,4 +269,43 @@ fn what_a_boundary_asks_for_counts() {
         let found = error(&less);
         assert!(found > 3.0 * right, "{name}: {found} for {right}");
     }
+}
+
+/// A field at rest that counts at how many places it is asked for stresses.
+#[derive(Default)]
+struct Counting(AtomicUsize);
+
+impl GivenField for Counting {
+    fn displacement(&self, _: [f64; 3], _: f64) -> [f64; 3] {
+        [0.0; 3]
+    }
+
+    fn stress(&self, _: [f64; 3], _: f64) -> [f64; 6] {
+        self.0.fetch_add(1, Ordering::Relaxed);
+        [0.0; 6]
+    }
+
+    fn peak_velocity(&self) -> f64 {
+        0.0
+    }
+}
+
+/// A boundary is cut into pieces that lie together, since both of two neighbours ask for what lies between them.
+#[test]
+fn points_of_faces_are_hardly_ever_asked_for_twice() {
+    let cells = [40, 40, 4];
+    let mut problem = rock(8.0, tremolite::Top::Free);
+    problem.mesh = BoxSpec::uniform([0.0; 3], cells.map(f64::from), cells).mesh().unwrap();
+    problem.bodies[0].elements = (0..problem.mesh.elements.len() as u32).collect();
+    let field = Arc::new(Counting::default());
+    problem.free_field = Some(field.clone());
+    let ready = Ready::new(problem);
+    let mut engine = ready.engine();
+    let mut state = ready.rest(0.8);
+    let before = field.0.load(Ordering::Relaxed);
+    engine.step(&mut state);
+    let asked = field.0.load(Ordering::Relaxed) - before;
+    // 2 × 2 points a face, of the base and of four sides.
+    let points = 4 * (40 * 40 + 4 * 40 * 4);
+    assert!(asked >= points && 10 * asked < 12 * points, "{asked} of {points}");
 }

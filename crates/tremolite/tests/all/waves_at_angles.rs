@@ -130,6 +130,11 @@ fn what_cannot_be_is_refused_with_its_line_and_a_remedy() {
         (sides_of(CASE.to_owned(), "symmetry"), "sides =", "travels across the symmetry sides across x"),
         (sides_of(with_waves(&[("SH", "0", "0")]), "symmetry"), "sides =", "is not its own mirror image"),
         (sides_of(with_waves(&[("SV", "0", "90")]), "symmetry"), "sides =", "moves the ground along x"),
+        (
+            CASE.replace("process =", "at = [\"-50000 m\", \"0 m\"]\nprocess ="),
+            "at =",
+            "longer than the record lasts",
+        ),
         (outcrop(with_waves(&[("P", "1", "0")])), "angle =", "0.0"),
         (outcrop(with_waves(&[("SV", "45", "0")])), "angle =", "tells nothing of it"),
         (
@@ -355,4 +360,46 @@ fn levels_of_steps_follow_the_field() {
     assert!(levelled.phase.beats.len() > 2);
     let several = worst(&levelled, 0.2, &|at, t| field.displacement(at, t), 0.4);
     assert!(alone < 1e-2 && several < 1.3 * alone, "{alone:e} {several:e}");
+}
+
+/// The record is the field's to the sample, wherever the waves have its time, and a run goes on until the last corner has had it.
+#[test]
+fn a_record_at_a_far_place_is_that_of_the_field_and_is_run_to_its_end() {
+    // ρ = 2500 kg/m³, E = 5 GPa, ν = 0.3; 25° along azimuth 30°, x is east.
+    let shear = (5e9 / 2.6 / 2500.0_f64).sqrt();
+    let (sin, cos) = 25.0_f64.to_radians().sin_cos();
+    let delay = |x: f64, y: f64| sin / shear * (0.5 * x + 0.75_f64.sqrt() * y);
+    for (at, late) in [
+        ("-300 m\", \"-500 m", delay(340.0, 530.0)),
+        ("300 m\", \"500 m", 0.0),
+        ("17 m\", \"11 m", delay(23.0, 19.0)),
+    ] {
+        let text = with_waves(&[("SH", "25", "30")])
+            .replace("process =", &format!("at = [\"{at}\"]\nprocess ="))
+            .replace("duration = \"0.5 s\"\n", "");
+        let made = job(&text);
+        let planned = made.plan.waves.as_ref().unwrap();
+        let lead = planned.field.lead();
+        assert!((planned.field.late() - late).abs() < 1e-9, "{}", planned.field.late());
+        assert!(made.plan.duration > 0.395 + lead + late - 1e-9 && made.plan.duration < 0.41 + lead + late);
+        let [from_x, from_y] = planned.frame.at;
+        // The surface does twice what comes up, across (0.5, √¾).
+        let [x, y, z] = [30.0, 10.0, 40.0];
+        let later = delay(x - from_x, y - from_y) + z * cos / shear;
+        let (mut worst, mut peak) = (0.0_f64, 0.0_f64);
+        for k in 0..200 {
+            let t = 0.0031 * f64::from(k) + later.max(0.0);
+            let came = planned.incident.at(t - later).u;
+            for (found, came) in planned.field.displacement([x, y, z], t).into_iter().zip(came) {
+                worst = worst.max((found - 2.0 * came).abs());
+                peak = peak.max(2.0 * came.abs());
+            }
+        }
+        assert!(worst < 2e-3 * peak, "{at}: {}", worst / peak);
+    }
+    // What comes behind the end is told of, though the record is over by then where it is given.
+    let short = CASE.replace("process =", "at = [\"-300 m\", \"-500 m\"]\nprocess =");
+    let made = job(&short);
+    let warned: Vec<String> = made.warnings().map(|warning| warning.message.clone()).collect();
+    assert!(warned.iter().any(|warning| warning.contains("comes after this")), "{warned:?}");
 }

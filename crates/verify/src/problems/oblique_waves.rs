@@ -128,6 +128,13 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
     let note = "half of what waves at angles are allowed, which no conversion helps";
     checks.push(Check::new(NAME, "largest error straight up off the edges, in rock", inside, 0.0, 0.005, "1", note));
     checks.push(Check::new(NAME, "the same at edges and corners", edges, 0.0, 0.005, "1", note));
+    let [coarse, fine] = [1, 2].map(|finer| bases(cells[2], finer));
+    let (coarse, fine) = (coarse?, fine?);
+    let note = "both let in σ·n + ρc v_ff = 2ρc v_i; what differs is the rate of the wave, over two steps or at their middle: order 2";
+    let quantity = "straight up beside today's base, with periodic sides";
+    let p = order(coarse, fine, 2.0);
+    checks.push(Check::new(NAME, quantity, coarse, 0.0, 0.005, "1", note).with_order(p));
+    checks.push(Check::new(NAME, "order of that difference", p, 2.0, 0.2, "1", "order 2 in h, with steps in proportion"));
     if let [coarse, fine] = &found[..] {
         let note = "order 2 in h";
         for (quantity, p) in [
@@ -272,6 +279,44 @@ fn error(ground: &Ground, cells: [u32; 3], way: Way, finer: u32) -> Result<[f64;
     let mean = f64::sqrt(sum / count);
     let [inside, edges] = worst.map(|worst| if mean.is_nan() { mean } else { worst / peak });
     Ok([inside, edges, mean / peak])
+}
+
+/// A vertical SV wave through a column with periodic sides, into which its field comes through the base, and one into which a wave rises there:
+/// the largest difference over the largest displacement.
+fn bases(height: u32, finer: u32) -> Result<f64, VerifyError> {
+    let ground = &GROUNDS[0];
+    let cells = [2, 2, height];
+    let column = || -> Result<Problem, VerifyError> {
+        let mut problem = ground.problem(cells, finer)?;
+        problem.sides = [Side::Periodic; 2];
+        Ok(problem)
+    };
+    let (mut given, mut beside) = (column()?, column()?);
+    let (motion, duration) = pulse(0)?;
+    given.free_field = Some(Arc::new(field(ground, ground.size(cells), &given, (WaveType::Sv, 0.0, 90.0))?));
+    beside.incident = Some(Incident { motion, factor: 1.0 });
+    let [given, beside] = [Simulation::new(given)?, Simulation::new(beside)?];
+    let (steps, dt) = whole_steps(duration, 0.9 * given.stable().min(beside.stable()));
+    let history = |simulation: &Simulation| -> Result<Vec<f64>, VerifyError> {
+        let mut nodes: Vec<([i64; 3], usize)> = simulation
+            .model
+            .nodes
+            .of(Domain::Model)
+            .map(|n| (simulation.position(n).map(|x| (1e3 * x).round() as i64), n))
+            .collect();
+        nodes.sort_unstable();
+        let mut history = Vec::new();
+        simulation.run_from_rest(dt, steps, |state| {
+            history.extend(nodes.iter().flat_map(|&(_, n)| state.u[n].xyz()));
+        })?;
+        Ok(history)
+    };
+    let [given, beside] = [history(&given)?, history(&beside)?];
+    let peak = beside.iter().fold(0.0_f64, |most, u| most.max(u.abs()));
+    let worst = given.iter().zip(&beside).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+    // A maximum passes over what is no number, a sum does not.
+    let sum: f64 = given.iter().sum();
+    Ok(if sum.is_nan() { sum } else { worst / peak })
 }
 
 /// A vertical SV wave through models that its field drives and that slabs and columns drive, over the largest displacement.
