@@ -2,6 +2,8 @@
 
 mod bolts;
 mod ranks;
+
+pub use ranks::more;
 mod stages;
 mod text;
 
