@@ -2,6 +2,7 @@
 
 use crate::exit::{Code, Failure};
 use crate::terminal;
+use std::hash::{DefaultHasher, Hasher};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tremolite::{Division, Exchange, Ranks};
@@ -12,6 +13,9 @@ pub struct Started {
     /// Ranks on this machine.
     here: u32,
 }
+
+/// What a rank says of which it does not know its own.
+const UNKNOWN: u64 = 0;
 
 /// Whether an error was told to all ranks, so that each ends by itself.
 static AGREED: AtomicBool = AtomicBool::new(false);
@@ -50,7 +54,21 @@ pub fn started() -> Result<Option<Started>, Failure> {
         hook(panic);
         end_all(Code::Failed);
     }));
+    // Before all else: programs that differ understand each other in nothing more than this.
+    started.as_first("program", program())?;
     Ok(Some(started))
+}
+
+/// What this program is known by: the bytes of its file, where they can be read.
+fn program() -> Option<u64> {
+    let file = std::env::current_exe().ok()?;
+    Some(known_by(&std::fs::read(file).ok()?))
+}
+
+fn known_by(bytes: &[u8]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    hasher.write(bytes);
+    hasher.finish()
 }
 
 #[cfg(feature = "mpi")]
@@ -117,6 +135,30 @@ impl Started {
                 Err(failure)
             }
         }
+    }
+
+    /// Whether all ranks have the case that the first has, `text` with what was set, and begin as it does.
+    ///
+    /// # Errors
+    /// A failure of all if one has another.
+    pub fn same_case(&self, text: &str, from: bool) -> Result<(), Failure> {
+        self.as_first("case", Some(known_by(format!("{from} {text}").as_bytes())))
+    }
+
+    /// Whether all ranks have what the first has, by a number, where each knows its own.
+    fn as_first(&self, what: &str, own: Option<u64>) -> Result<(), Failure> {
+        let own = f64::from_bits(own.unwrap_or(UNKNOWN));
+        let counts = vec![1; self.exchange.ranks() as usize];
+        let all = self.exchange.gather(&[own], &counts, tremolite::exchange::To::All);
+        let first = all[0].to_bits();
+        let known = |bits: u64| first != UNKNOWN && bits != UNKNOWN;
+        let Some(other) = all.iter().position(|one| one.to_bits() != first && known(one.to_bits())) else {
+            return Ok(());
+        };
+        AGREED.store(true, Relaxed);
+        Err(Failure::input(format!(
+            "rank {other} runs another {what} than the first; start all ranks with the same program, case file, --set and --from"
+        )))
     }
 
     /// Threads of each rank if none are asked for: what a rank may use, or its part of the machine where it may use all of it.

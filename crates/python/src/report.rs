@@ -1,4 +1,4 @@
-//! Pages, from result files alone.
+//! Pages, and comparisons, from result files alone.
 
 use crate::errors::{failed, unusable};
 use pyo3::prelude::*;
@@ -42,7 +42,14 @@ fn write_comparison(
     py.detach(|| tremolite_report::compare(&folders, &page, language)).map_err(failed)
 }
 
+/// What differs between two result folders beyond what may between runs of the same bits.
+#[pyfunction]
+fn differences(py: Python<'_>, one: PathBuf, other: PathBuf) -> PyResult<Vec<String>> {
+    py.detach(|| tremolite_results::differences(&one, &other)).map_err(unusable)
+}
+
 pub fn add(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(differences, module)?)?;
     module.add_function(wrap_pyfunction!(write_page, module)?)?;
     module.add_function(wrap_pyfunction!(write_comparison, module)?)
 }

@@ -69,6 +69,9 @@ def test_a_callback_that_says_false_stops_in_good_order_and_resuming_gives_the_s
     assert stopped.status == "stopped" and 0.25 < stopped.monitors["top"].time[-1] < 0.36
     resumed = job.run(tmp_path / "halves", resume=True)
     assert resumed.status == "done" and same_files(whole.path, resumed.path, EQUAL[:3]) == []
+    assert whole.differences(resumed) == []
+    (resumed.path / "energy.csv").write_text("time [s]\n0\n")
+    assert whole.differences(resumed.path) == ["energy.csv"]
 
 
 def test_what_a_callback_raises_comes_through_and_the_folder_stays_usable(job, tmp_path):

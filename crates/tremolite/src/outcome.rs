@@ -15,9 +15,12 @@ pub(crate) fn run_in_words(
     trust: &[TrustLine],
     stress: &IndexMap<String, GroupStress>,
 ) -> Said {
-    let Evidence { outcome, plan, .. } = evidence;
+    let Evidence { outcome, plan, model, .. } = evidence;
     let ended = match &outcome.ending {
-        Ending::Restless { stage, relaxed, place } => restless(stage, outcome.stages.len(), relaxed, place),
+        Ending::Restless { stage, relaxed, place } => {
+            let number = format!("{:03}", outcome.stages.len());
+            restless(stage, plan.field_file(&number, model.mesh.elements.len()), relaxed, place)
+        }
         Ending::SnappedBack { stage, lost, held } => snapped_back(stage, *lost, *held),
         Ending::Failed { halt, place } => {
             failed(halt, place, outcome.taken as f64 * outcome.dt, outcome.balance[Line::Created])
@@ -95,8 +98,8 @@ fn snapped_back(stage: &str, lost: f64, held: f64) -> Vec<Said> {
     vec![why, remedy]
 }
 
-/// Why a stage did not come to rest.
-fn restless(stage: &str, number: usize, relaxed: &Relaxed, place: &Said) -> Vec<Said> {
+/// Why a stage did not come to rest, of whose motion a file of fields tells.
+fn restless(stage: &str, file: String, relaxed: &Relaxed, place: &Said) -> Vec<Said> {
     let (Relaxed::AtRest(rest) | Relaxed::Stopped(rest) | Relaxed::Restless(rest) | Relaxed::Torn(rest, _)) =
         relaxed;
     let cycles = rest.cycles.to_string();
@@ -117,9 +120,9 @@ fn restless(stage: &str, number: usize, relaxed: &Relaxed, place: &Said) -> Vec<
         ),
     };
     let place = said!(
-        "Most moves {place}, as `motion_of_last_cycle` in stages/{number}.vtu shows.",
+        "Most moves {place}, as `motion_of_last_cycle` in stages/{file} shows.",
         place = place.clone(),
-        number = format!("{number:03}"),
+        file = file,
     );
     let remedy = match relaxed {
         Relaxed::Torn(..) => said!(

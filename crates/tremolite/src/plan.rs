@@ -201,6 +201,16 @@ impl Plan {
         self.waves.as_ref().map_or(0.0, |waves| waves.field.late())
     }
 
+    /// Whether fields of a model of so many elements are written in pieces.
+    pub fn in_pieces(&self, elements: usize) -> bool {
+        elements > self.field_elements
+    }
+
+    /// The file of fields of such a model, by its name without an ending: the fields themselves, or a list of their pieces.
+    pub fn field_file(&self, name: &str, elements: usize) -> String {
+        format!("{name}.{}", if self.in_pieces(elements) { "pvtu" } else { "vtu" })
+    }
+
     /// Time between rows of the histories \[s\] where steps of the finest level are stable up to `step` \[s\]: as asked for, or every one.
     pub fn row(&self, step: f64) -> f64 {
         self.histories.max(step)

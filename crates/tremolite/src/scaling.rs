@@ -69,6 +69,8 @@ pub struct SharedOut {
     pub ranks: u32,
     /// Work of the rank with most over the mean.
     pub imbalance: f64,
+    /// The same once parts have cracked, at worst.
+    pub imbalance_cracked: f64,
     /// Nodes that are moved by one rank more, over all nodes.
     pub moved_again: f64,
     /// Patches that there are: no rank beyond them has work.
@@ -126,6 +128,7 @@ impl SharedOut {
         SharedOut {
             ranks: division.ranks,
             imbalance: division.imbalance,
+            imbalance_cracked: division.imbalance_cracked,
             moved_again: moved as f64 / job.model.nodes.len() as f64 - 1.0,
             patches: job.model.patches.len(),
             memory_bytes: bytes - shared + (most * shared as f64) as usize,

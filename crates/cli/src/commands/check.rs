@@ -3,6 +3,8 @@
 mod bolts;
 mod judged;
 mod ranks;
+
+pub use ranks::more;
 mod stages;
 mod text;
 

@@ -60,7 +60,11 @@ pub fn run(args: &Args) -> Outcome {
     // The pool's threads end before MPI does.
     pool.install(|| match &started {
         None => go(args, since, asked(args)?, None),
-        Some(started) => go(args, since, started.together(asked(args))?, Some(started)),
+        Some(started) => {
+            let asked = started.together(asked(args))?;
+            started.same_case(&asked.job.case.source, args.from.is_some())?;
+            go(args, since, asked, Some(started))
+        }
     })
 }
 
@@ -172,11 +176,12 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
         (Some(own), Some(started)) => {
             let own = started.together(own)?;
             started.told_by_first(&told(own.as_ref()));
-            own
+            started.together(Ok(own))?
         }
         (None, Some(started)) => {
             started.together(Ok(()))?;
-            joined(&job, &started.told_by_first(""), other.as_ref())?
+            let told = started.told_by_first("");
+            started.together(joined(&job, &told, other.as_ref()))?
         }
         (None, None) => return Err(Failure::failed("no rank is the first")),
     };
@@ -222,12 +227,12 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
     let outcome = simulation.and_then(|simulation| tremolite::run::run(simulation, &mut control));
     line.end();
     let outcome = outcome.map_err(Failure::failed)?;
-    let busy = ranks.map(|ranks| busy(&ranks));
+    let busy = ranks.map(|ranks| busy(&ranks, outcome.held));
     if first {
         let summary = begun.end(&job, &outcome, &caller).map_err(Failure::failed)?;
         let page = tremolite_report::write(folder.root()).map_err(Failure::failed)?;
         after(&mut log, &job, &outcome, &summary);
-        busy.iter().for_each(|busy| log.say(busy));
+        busy.iter().flatten().for_each(|busy| log.say(busy));
         log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));
         if args.strict && matches!(outcome.ending, Ending::Done) && (warned || summary.warnings() > 0) {
             return Ok(Code::Failed);
@@ -254,7 +259,11 @@ const BEGINS: char = '-';
 fn joined(job: &Job, told: &str, other: Option<&ResultFolder>) -> Result<Option<Own>, Failure> {
     let Some(root) = told.strip_prefix([GOES_ON, BEGINS]) else { return Ok(None) };
     let resumed = told.starts_with(GOES_ON);
-    let folder = ResultFolder::open_existing(Path::new(root)).map_err(Failure::failed)?;
+    let folder = ResultFolder::open_existing(Path::new(root)).map_err(|_| {
+        Failure::input(format!(
+            "the folder {root} that the first rank writes its results to is not here; put it where all machines see it under the same path, with --out"
+        ))
+    })?;
     let begun = job.join(&folder, start(resumed, other));
     Ok(Some(Own { folder, begun, resumed }))
 }

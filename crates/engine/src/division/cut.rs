@@ -4,7 +4,7 @@
 //! enough: a rank that has the fine elements and one that has the coarse ones would wait for each other in turn. Patches of each level are cut
 //! by themselves along one order, and of some orders that one is taken which leaves ranks least to wait for, sound and cracked, and to move twice.
 
-use super::{MOVED, Works};
+use super::works::{MOVED, Works};
 use crate::model::Model;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -13,15 +13,17 @@ use tremolite_mesh::order::hilbert_order;
 /// What a node costs that two ranks have, beside that both move it: the contributions that are packed, sent and added, in updates of an elastic
 /// brick.
 const SENT: f64 = 0.5;
+/// What a node costs that two ranks have.
+pub(super) const SHARED: f64 = MOVED + SENT;
 
 /// Patches with what two ranks share that part them.
 pub(super) struct Cut<'a> {
-    works: &'a Works,
-    level: Vec<u8>,
+    pub works: &'a Works,
+    pub level: Vec<u8>,
     /// The place of each patch in each order that is tried.
     places: Vec<Vec<u32>>,
     /// Patches that have nodes in common with each, and how often those are moved in a step of the coarsest level.
-    near: Vec<Vec<(u32, f64)>>,
+    pub near: Vec<Vec<(u32, f64)>>,
 }
 
 impl<'a> Cut<'a> {
@@ -91,7 +93,7 @@ impl<'a> Cut<'a> {
         let mut halves = [Vec::new(), Vec::new()];
         for lot in order.chunk_by(|&p, &q| self.level[p as usize] == self.level[q as usize]) {
             let level = self.level[lot[0] as usize];
-            let work = |p: &u32| self.works.up_to(*p as usize, level, 0.5);
+            let work = |p: &u32| self.works.mean(*p as usize, level);
             let whole: f64 = halves.iter().flatten().chain(lot).map(work).sum();
             let mut sum: f64 = halves[0].iter().map(work).sum();
             // A patch goes where more of it lies.
@@ -110,21 +112,20 @@ impl<'a> Cut<'a> {
     /// What each of so many ranks waits, sends and moves twice in a step of the coarsest level.
     fn lost(&self, halves: &[Vec<u32>; 2], counts: [f64; 2]) -> f64 {
         let ranks = counts[0] + counts[1];
-        let waited = |cracked: f64| {
+        let waited = |case: usize| {
             self.works.by_beat(|level| {
                 let work = |half: &Vec<u32>| {
-                    half.iter().map(|&p| self.works.up_to(p as usize, level, cracked)).sum::<f64>()
+                    half.iter().map(|&p| self.works.up_to(p as usize, level, case)).sum::<f64>()
                 };
                 let [a, b] = [&halves[0], &halves[1]].map(work);
                 (a / counts[0]).max(b / counts[1]) - (a + b) / ranks
             })
         };
-        // One lining may crack before the other.
-        let waited = 0.5 * (waited(0.0) + waited(1.0));
+        let waited: f64 = self.works.cases().map(|(case, weight)| weight * waited(case)).sum();
         let mut second = vec![false; self.level.len()];
         halves[1].iter().for_each(|&p| second[p as usize] = true);
         let shared =
             halves[0].iter().flat_map(|&p| &self.near[p as usize]).filter(|(q, _)| second[*q as usize]);
-        waited + shared.map(|(_, often)| often).sum::<f64>() * (MOVED + SENT) / ranks
+        waited + shared.map(|(_, often)| often).sum::<f64>() * SHARED / ranks
     }
 }

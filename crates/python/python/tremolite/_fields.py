@@ -31,7 +31,7 @@ class Grid:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Grid:
-        """Reads a VTU file."""
+        """Reads a VTU file, or all pieces of a `.pvtu` file as one grid."""
         made = read_vtu(path)
         return cls(cells=made.pop("connectivity"), **made)
 

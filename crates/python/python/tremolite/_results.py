@@ -13,7 +13,7 @@ from ._fields import Fields
 from ._record import Record, Trust
 from ._rows import heads, rows
 from ._tables import Monitors, OwnTables, Table
-from ._tremolite import Error, check_folder, write_comparison, write_page
+from ._tremolite import Error, check_folder, differences, write_comparison, write_page
 
 
 class Result:
@@ -129,6 +129,11 @@ class Result:
     def interface_fields(self) -> Fields:
         """Interfaces with what their pairs did."""
         return Fields.of(self.path / "interfaces.pvd")
+
+    def differences(self, other: Result | str | os.PathLike[str]) -> list[str]:
+        """Files, and facts of summary.json, whose bytes another result does not have. What may differ between runs of
+        the same bits is left out: the clock, the machine, threads and ranks, checkpoints, the page."""
+        return differences(self.path, other.path if isinstance(other, Result) else Path(other))
 
     def page(self, language: str | None = None) -> Path:
         """Writes figures and report.html again, in "en" or "zh", and returns the page's path."""

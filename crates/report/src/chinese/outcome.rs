@@ -36,8 +36,8 @@ pub const TEXTS: Texts = &[
         "阶段“{stage}”未达到静止：{cycles} 个计算步后，不平衡力占全部力的 {ratio}，剩余位移 {left} m。",
     ),
     (
-        "Most moves {place}, as `motion_of_last_cycle` in stages/{number}.vtu shows.",
-        "运动最大处为{place}，见 stages/{number}.vtu 中的 `motion_of_last_cycle`。",
+        "Most moves {place}, as `motion_of_last_cycle` in stages/{file} shows.",
+        "运动最大处为{place}，见 stages/{file} 中的 `motion_of_last_cycle`。",
     ),
     (
         "The ground there has lost its support and falls: support it, excavate less in one stage, or release it in smaller shares (`release`).",

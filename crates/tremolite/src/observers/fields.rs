@@ -4,6 +4,7 @@
 use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use super::{Cracks, Envelopes};
 use crate::error::RunError;
+use crate::plan::Plan;
 use crate::point_stress::{extremes, mean};
 use crate::quantities::{Field, field_name, of_element};
 use crate::stages::flow_in;
@@ -27,7 +28,8 @@ pub struct Fields {
 /// The active elements of a phase in the files that they are written in: one, or pieces of a fixed number of the mesh's elements.
 pub struct FieldGrids {
     pieces: Vec<FieldGrid>,
-    in_pieces: bool,
+    /// Elements of the mesh.
+    elements: usize,
 }
 
 /// Active elements of a phase, to be written to one file with what they show.
@@ -57,18 +59,19 @@ impl Fields {
         tremolite_files::make_folder(&folder.fields())
             .map_err(|source| RunError::Io { path: folder.fields(), source })?;
         let schedule = Schedule { every, last: Some(steps.total) };
-        let grids = FieldGrids::of(model, phase, plan.field_elements);
+        let grids = FieldGrids::of(model, phase, plan);
         Ok(Some(Fields { schedule, folder: folder.fields(), list, grids }))
     }
 }
 
 impl FieldGrids {
-    /// The elements that are there in a phase; where the mesh has more than `most`, each so many of the mesh's elements are a piece.
-    pub fn of(model: &Model, phase: &Phase, most: usize) -> Self {
+    /// The elements that are there in a phase; where the mesh has more than a file may have, each so many of the mesh's elements are a piece.
+    pub fn of(model: &Model, phase: &Phase, plan: &Plan) -> Self {
         let active: Vec<u32> =
             (0u32..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()).map(|(e, _)| e).collect();
-        let in_pieces = model.mesh.elements.len() > most;
-        let most = if in_pieces { most.max(1) as u32 } else { u32::MAX };
+        let elements = model.mesh.elements.len();
+        let in_pieces = plan.in_pieces(elements);
+        let most = if in_pieces { plan.field_elements.max(1) as u32 } else { u32::MAX };
         let lots: Vec<&[u32]> = match active.is_empty() {
             true => vec![&active[..]],
             false => active.chunk_by(|a, b| a / most == b / most).collect(),
@@ -83,7 +86,7 @@ impl FieldGrids {
                 pieces.iter_mut().for_each(|piece| piece.add_group(name, &inside));
             }
         }
-        FieldGrids { pieces, in_pieces }
+        FieldGrids { pieces, elements }
     }
 
     /// Writes the fields that the plan wants, and more vectors by engine node with their names and units, to a file of this name in a folder, or
@@ -99,10 +102,10 @@ impl FieldGrids {
         more: &[(&str, &str, &[Row])],
     ) -> Result<String, VtuError> {
         let of = |piece: &FieldGrid| piece.filled(time, view, memory, more);
-        if !self.in_pieces {
-            let name = format!("{name}.vtu");
-            self.pieces.iter().try_for_each(|piece| of(piece).write(&folder.join(&name)))?;
-            return Ok(name);
+        let whole = view.plan.field_file(name, self.elements);
+        if !view.plan.in_pieces(self.elements) {
+            self.pieces.iter().try_for_each(|piece| of(piece).write(&folder.join(&whole)))?;
+            return Ok(whole);
         }
         let mut files = Vec::new();
         let mut like = Grid::default();
@@ -113,9 +116,8 @@ impl FieldGrids {
             files.push(file);
         }
         // Behind its pieces, so that whoever sees it finds them.
-        let name = format!("{name}.pvtu");
-        write_list(&folder.join(&name), &like, &files)?;
-        Ok(name)
+        write_list(&folder.join(&whole), &like, &files)?;
+        Ok(whole)
     }
 }
 

@@ -5,7 +5,7 @@ use crate::plan::Steps;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::engine::{BodyBooks, Relaxed};
 use tremolite_engine::state::State;
-use tremolite_engine::{Halt, StableStep, Stage};
+use tremolite_engine::{Bytes, Halt, StableStep, Stage};
 use tremolite_kernels::Lines;
 use tremolite_results::{Said, StageSummary};
 
@@ -55,6 +55,8 @@ pub struct Outcome {
     pub stage_seconds: f64,
     /// Largest displacement \[m\] in a quiet run from the hand-over; none without stages or before it.
     pub quiet: Option<f64>,
+    /// What this process held of parts and state once it had made a step.
+    pub held: Option<Bytes>,
     pub balance: Lines,
     /// The books of each account of the assembly, when it was last looked at.
     pub bodies: Vec<BodyBooks>,

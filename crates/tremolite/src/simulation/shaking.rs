@@ -52,6 +52,8 @@ pub(super) struct Shaking {
     /// Wall time of the steps, and what of it went into looks.
     spent: Duration,
     looking: Duration,
+    /// What this process holds of parts and state, once it made a step.
+    held: Option<Bytes>,
 }
 
 impl Shaking {
@@ -147,6 +149,7 @@ impl Simulation {
             ended: None,
             spent: Duration::ZERO,
             looking: Duration::ZERO,
+            held: None,
         })
     }
 
@@ -208,6 +211,7 @@ impl Simulation {
             self.end(shaking, evaluated, None);
             return Err(error);
         }
+        shaking.held.get_or_insert_with(|| shaking.engine.bytes(&self.state));
         if shaking.engine.watches(&self.state)
             && let Err(halt) = shaking.engine.watch(&self.state)
         {
@@ -382,6 +386,7 @@ impl Simulation {
             shaken: shaking.is_some(),
             stage_seconds,
             quiet: state.observers.get(DRIFT).and_then(|drift| drift.first().copied()),
+            held: shaking.as_ref().and_then(|shaking| shaking.held),
             balance: shaking.as_ref().map_or(Lines::default(), |shaking| shaking.balance),
             bodies: shaking.map_or(Vec::new(), |shaking| shaking.bodies),
             state,

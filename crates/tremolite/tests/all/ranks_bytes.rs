@@ -1,7 +1,8 @@
 //! A rank holds its share of parts and of what they remember, and what is on every rank besides is known.
 
 use crate::bolts_bits::bolted_of;
-use crate::ranks::{pit_of, plan};
+use crate::ranks::plan;
+use crate::ranks_pit::pit_of;
 use crate::ready::Ready;
 use std::sync::Arc;
 use tremolite::engine::Release;

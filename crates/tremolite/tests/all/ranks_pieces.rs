@@ -1,6 +1,7 @@
 //! Fields of a large model are written in pieces, the same on any number of ranks, and read as the grid of one file.
 
-use crate::ranks::{Case, files, how, pit_case, pit_problem, same, through};
+use crate::ranks::{Case, files, how, same, through};
+use crate::ranks_pit::{pit_case, pit_problem};
 use std::sync::Arc;
 use tremolite::Ranks;
 use tremolite::simulation::{Start, Stepping};

@@ -6,12 +6,21 @@ use tremolite::scaling::{Network, Seconds, SharedOut};
 /// Rows of a table at most; beyond, the extremes say enough.
 const ROWS: usize = 16;
 
+/// How much more than the mean, while all is sound and once something has cracked.
+pub fn more(sound: f64, cracked: f64) -> String {
+    let [sound, cracked] = [sound, cracked].map(|imbalance| format!("{:.1}", 100.0 * (imbalance - 1.0)));
+    match sound == cracked {
+        true => format!("{sound} % more than the mean"),
+        false => format!("{sound} % more than the mean, up to {cracked} % where parts have cracked"),
+    }
+}
+
 pub fn print_lines(shared: &SharedOut) {
     let SharedOut { ranks, of_rank, .. } = shared;
     print(&format!("ranks {ranks}"));
     print(&format!(
-        "  in each step the one with most work has {:.1} % more than the mean; parts that crack shift it",
-        100.0 * (shared.imbalance - 1.0)
+        "  in each step the one with most work has {}",
+        more(shared.imbalance, shared.imbalance_cracked)
     ));
     print(&format!("  {:.1} % of the nodes are moved by one rank more", 100.0 * shared.moved_again));
     let [most, mean] = [

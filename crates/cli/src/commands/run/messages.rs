@@ -1,6 +1,7 @@
 //! What a run says, to the terminal and to log.txt.
 
-use crate::terminal::{bytes, duration, say, sent};
+use crate::commands::check::more;
+use crate::terminal::{bytes as in_bytes, duration, say, sent};
 use std::io::Write;
 use tremolite::job::Job;
 use tremolite::plan::Plan;
@@ -8,7 +9,7 @@ use tremolite::ranks::Took;
 use tremolite::run::Progress;
 use tremolite::simulation::Outcome;
 use tremolite::survey::{impacts_in_words, limit_in_words};
-use tremolite::{Division, Ranks};
+use tremolite::{Bytes, Division, Ranks};
 use tremolite_results::{ResultFolder, Summary};
 
 /// Messages to the terminal and to log.txt.
@@ -41,28 +42,39 @@ impl Log {
 
 /// How a model is shared out.
 pub(super) fn shared_out(division: &Division) -> String {
-    let slower = 100.0 * (division.imbalance - 1.0);
     format!(
-        "  {} ranks, of which in each step the one with most work has {slower:.0} % more than the mean",
-        division.ranks
+        "  {} ranks, of which in each step the one with most work has {}",
+        division.ranks,
+        more(division.imbalance, division.imbalance_cracked)
     )
 }
 
-/// How evenly ranks were at work.
-pub(super) fn busy(ranks: &Ranks) -> String {
+/// How evenly ranks were at work, and what they held.
+pub(super) fn busy(ranks: &Ranks, held: Option<Bytes>) -> Vec<String> {
     let Took { halos, bytes, waited, worked } = ranks.tally.took();
     let [worked, waited, bytes] =
         [worked, waited, bytes as f64 / halos.max(1) as f64].map(|own| ranks.each(own));
     let mean = |all: &[f64]| all.iter().sum::<f64>() / all.len() as f64;
     let most = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
-    format!(
+    let mut said = vec![format!(
         "  ranks evaluated parts for {:.1} s in the mean and {:.1} s at most, and waited for others for {:.1} s in the mean; each sent up to {} an \
          evaluation",
         mean(&worked),
         most(&worked),
         mean(&waited),
         sent(most(&bytes))
-    )
+    )];
+    let shared = ranks.each(held.map_or(0.0, |held| held.shared() as f64));
+    let all: f64 = shared.iter().sum();
+    if all > 0.0 {
+        let most = most(&shared);
+        said.push(format!(
+            "  of parts and what they remember the rank with most held {}, {:.2} of what all held",
+            in_bytes(most as usize),
+            most / all
+        ));
+    }
+    said
 }
 
 /// What will be run.
@@ -78,7 +90,7 @@ pub(super) fn before(log: &mut Log, job: &Job) {
         survey.nodes,
         rayon::current_num_threads(),
         model.scheme.isa.name(),
-        bytes(survey.bytes)
+        in_bytes(survey.bytes)
     ));
     if shaken {
         log.say(&format!(

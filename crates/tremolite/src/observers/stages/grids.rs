@@ -34,7 +34,7 @@ impl StageGrids {
     fn write(&self, seen: &StageSeen, memory: &Memory) -> Result<(), RunError> {
         let StageSeen { stage, at_rest, ref view, u, start, last, .. } = *seen;
         let folder = make(self.folder.stage_fields())?;
-        let grids = FieldGrids::of(view.model, view.phase, view.plan.field_elements);
+        let grids = FieldGrids::of(view.model, view.phase, view.plan);
         // Displacements count from the initial equilibrium; what it took to get there is told beside them.
         let since_start = |(now, before): (&Row, &Row)| Row([0, 1, 2, 3].map(|i| now.0[i] - before.0[i]));
         let motion: Vec<Row> = u.iter().zip(start).map(since_start).collect();

@@ -1,0 +1,152 @@
+//! What each patch costs in a step, sound or cracked.
+
+use crate::assembly::Assembly;
+use crate::model::Model;
+use std::collections::BTreeMap;
+use tremolite_kernels::Quadrature;
+
+/// Moving a node once, where 1 is an update of an elastic brick.
+pub(super) const MOVED: f64 = 0.25;
+/// What cracks takes this much more work once it has, of what it took sound.
+const CRACKED: f64 = 1.0;
+/// The history by which a law is known that cracks.
+const CRACKS: &str = "d_tension";
+
+/// Work of each patch once its elements and nodes are due, by the level at which they are, as it is while all is sound and in cases of what has
+/// cracked.
+pub(super) struct Works {
+    levels: usize,
+    cases: Vec<Case>,
+    /// Of all cases by their weights.
+    mean: Vec<f64>,
+}
+
+/// Bodies that crack by themselves are cases of their own only if they have this share of all that cracks.
+const LARGE: f64 = 0.05;
+
+/// What may have cracked, and how much it counts beside others; all weights are 1 together.
+struct Case {
+    weight: f64,
+    /// Work in a step at which levels up to one are due, by patch and level.
+    up_to: Vec<f64>,
+}
+
+impl Works {
+    /// The case in which nothing has cracked.
+    pub const SOUND: usize = 0;
+
+    /// `touched` are the patches of each node, of which the first has it.
+    pub fn new(model: &Model, assembly: &Assembly, touched: &[Vec<u32>]) -> Self {
+        let levels = usize::from(model.nodes.coarsest()) + 1;
+        let mut sound = vec![0.0; levels * model.patches.len()];
+        let mut more = vec![0.0; model.patches.len()];
+        for (p, patch) in model.patches.iter().enumerate() {
+            let update = update(model, assembly, p);
+            sound[levels * p + usize::from(patch.level)] += update;
+            let part = &assembly.members[assembly.of_patch[p] as usize].part;
+            if part.columns().iter().any(|column| column.name == CRACKS) {
+                more[p] = CRACKED * update;
+            }
+        }
+        for (patches, &level) in touched.iter().zip(&model.nodes.level) {
+            if let Some(&first) = patches.first() {
+                sound[levels * first as usize + usize::from(level)] += MOVED;
+            }
+        }
+        let case = |weight: f64, cracked: &dyn Fn(usize) -> bool| {
+            let mut up_to = sound.clone();
+            for (p, patch) in model.patches.iter().enumerate() {
+                if cracked(p) {
+                    up_to[levels * p + usize::from(patch.level)] += more[p];
+                }
+                (1..levels).for_each(|l| up_to[levels * p + l] += up_to[levels * p + l - 1]);
+            }
+            Case { weight, up_to }
+        };
+        let mut cases = vec![case(1.0, &|_| false)];
+        let bodies = connected(&more, touched);
+        if !bodies.is_empty() {
+            cases.push(case(1.0, &|_| true));
+        }
+        if let [_, _, ..] = bodies[..] {
+            // One lining may crack before the other.
+            let share = 1.0 / bodies.len() as f64;
+            cases.extend(bodies.iter().map(|body| case(share, &|p| body.binary_search(&(p as u32)).is_ok())));
+        }
+        let whole: f64 = cases.iter().map(|case| case.weight).sum();
+        cases.iter_mut().for_each(|case| case.weight /= whole);
+        let mean = |at: usize| cases.iter().map(|case| case.weight * case.up_to[at]).sum();
+        Works { levels, mean: (0..sound.len()).map(mean).collect(), cases }
+    }
+
+    /// What may have cracked, by its weight.
+    pub fn cases(&self) -> impl Iterator<Item = (usize, f64)> {
+        self.cases.iter().map(|case| case.weight).enumerate()
+    }
+
+    pub fn levels(&self) -> usize {
+        self.levels
+    }
+
+    /// Work of a patch in a step at which levels up to one are due.
+    pub fn up_to(&self, patch: usize, level: u8, case: usize) -> f64 {
+        self.cases[case].up_to[self.levels * patch + usize::from(level)]
+    }
+
+    /// The same in the mean over the cases.
+    pub fn mean(&self, patch: usize, level: u8) -> f64 {
+        self.mean[self.levels * patch + usize::from(level)]
+    }
+
+    /// The sum over the steps of the finest level in one of the coarsest of what is found for the levels that are due in it.
+    pub fn by_beat(&self, one: impl Fn(u8) -> f64) -> f64 {
+        (0..self.levels as u8).map(|level| self.often(level) * one(level)).sum()
+    }
+
+    /// Steps of the finest level in one of the coarsest in which levels up to one are due, and no coarser one.
+    pub fn often(&self, level: u8) -> f64 {
+        f64::from(1u32 << (self.levels as u8 - 1 - level).saturating_sub(1))
+    }
+}
+
+/// Patches that crack, `more` of whose work is above 0, as bodies that have no node in common: their patches, ascending. Small ones are left out.
+fn connected(more: &[f64], touched: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    let mut root: Vec<u32> = (0..more.len() as u32).collect();
+    let find = |root: &[u32], mut p: u32| {
+        while root[p as usize] != p {
+            p = root[p as usize];
+        }
+        p
+    };
+    for patches in touched {
+        let mut cracks = patches.iter().filter(|&&p| more[p as usize] > 0.0);
+        let Some(&first) = cracks.next() else { continue };
+        for &other in cracks {
+            let [a, b] = [first, other].map(|p| find(&root, p));
+            let least = a.min(b);
+            [a, b, first, other].into_iter().for_each(|p| root[p as usize] = least);
+        }
+    }
+    let mut bodies = BTreeMap::<u32, Vec<u32>>::new();
+    for p in (0..more.len() as u32).filter(|&p| more[p as usize] > 0.0) {
+        bodies.entry(find(&root, p)).or_default().push(p);
+    }
+    let whole: f64 = more.iter().sum();
+    let large = |body: &Vec<u32>| body.iter().map(|&p| more[p as usize]).sum::<f64>() >= LARGE * whole;
+    bodies.into_values().filter(large).collect()
+}
+
+/// One update of a patch, where 1 is that of an elastic brick. What points and columns of their history
+/// cost is about what docs/performance.md has measured.
+fn update(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
+    let part = &assembly.members[assembly.of_patch[patch] as usize].part;
+    let patch = &model.patches[patch];
+    let (elements, points) = part.elements();
+    let of_point = match model.bodies[patch.body].quadrature {
+        Quadrature::Layered(_) => 0.9,
+        Quadrature::OnePoint | Quadrature::Full => 1.0,
+    };
+    let element = 0.6 + points as f64 * of_point * (0.4 + 0.03 * part.columns().len() as f64);
+    let shape = if patch.bricks || points > 1 { 1.0 } else { 1.5 };
+    elements as f64 * element * shape
+}
