@@ -46,7 +46,8 @@ order of convergence. `tremolite verify --against docs/verification/figures.json
 
 *Tolerance* is the largest difference from the reference that passes, in the unit of the value; figures without one are for information. *Share* is the difference over the
 tolerance. *Order* is that of convergence between the two finest meshes or steps that were run. Symbols are those of [NOTATION.md](../NOTATION.md), sources those of
-[references.bib](../references.bib). *Plain* runs are those of `tremolite verify`; *full* ones have finer meshes and series as well.
+[references.bib](../references.bib). *Plain* runs are those of `tremolite verify`; *full* ones have finer meshes and series as well. Seconds are
+of the run on record, whatever else its machine did.
 
 ";
 
