@@ -136,7 +136,8 @@ impl Record {
             if let Some((was, now)) = same.and_then(|figure| figure.order).zip(check.order) {
                 count += 1;
                 // Written so that what is not a number is lost too.
-                if !(now >= was - KEPT) {
+                let kept = now >= was - KEPT;
+                if !kept {
                     lost.push(format!(
                         "{name}: {}: order {now:.2}, {was:.2} on record: an order is lost",
                         check.quantity
