@@ -68,10 +68,15 @@ fn problem(source: &str, error: &Error) -> Diagnostic {
 /// text, so that further backslashes in it are reported once.
 fn escape(source: &str, span: Range<usize>) -> Diagnostic {
     let start = source.get(..span.start).and_then(|before| before.rfind(['"', '\n'])).unwrap_or(0);
-    let inside = source[start..].trim_start_matches(['"', '\n']);
+    let text = &source[start..];
+    let inside = text.trim_start_matches(['"', '\n']);
+    let from = start + text.len() - inside.len();
     let inside = &inside[..inside.find(['"', '\n', '\r']).unwrap_or(inside.len())];
+    let end = from + inside.len();
+    // With the quotes at both ends, where the second is there.
+    let end = end + usize::from(source[end..].starts_with('"'));
     let remedy = forward_slashes(inside).unwrap_or_else(|| "write it twice: \\\\".to_owned());
-    Diagnostic::new(start..start + inside.len() + 2, "a backslash in double quotes begins an escape", remedy)
+    Diagnostic::new(start..end, "a backslash in double quotes begins an escape", remedy)
 }
 
 /// How a path is written whose text in the file, without its quotes, has backslashes.

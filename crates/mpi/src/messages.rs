@@ -102,6 +102,7 @@ impl Messages {
             };
             let starts: Vec<c_int> = counts.iter().scan(0, begins).collect();
             let (from, count) = (own.as_ptr().cast(), own.len() as c_int);
+            // SAFETY: a constant of the library.
             let (into, double) = (all.as_mut_ptr().cast(), unsafe { ffi::RSMPI_DOUBLE });
             // SAFETY: there is room for all that the ranks say they send, where it is received.
             unsafe {

@@ -201,6 +201,10 @@ impl Simulation {
                         held.ending = Some(Ending::Failed { halt, place });
                         return Ok(false);
                     }
+                    Stepping::Astray { why } => {
+                        held.ending = Some(Ending::Astray { why });
+                        return Ok(false);
+                    }
                 }
                 if stop.load(Ordering::Relaxed) {
                     return Ok(false);

@@ -4,8 +4,8 @@
 //! network and no scripts, prints on A4, and follows the reader's choice of a light or dark screen. What a file or
 //! column does not give is left out with a sentence that says why.
 //!
-//! [`loops`] draws what comes of a law driven along a path, [`processing`] a record before and after its processing; both from plain
-//! columns.
+//! [`loops`] draws what comes of a law driven along a path, [`processing`] a record before and after its processing, [`convergence`]
+//! errors over sizes; all from plain columns.
 
 #![forbid(unsafe_code)]
 
@@ -44,6 +44,7 @@ use std::path::{Path, PathBuf};
 use tremolite_results::replace_file;
 
 pub use crate::compare::compare;
+pub use crate::drawing::convergence;
 pub use crate::drawing::loops;
 pub use crate::drawing::state_strips::Strip;
 pub use crate::input::processing;

@@ -25,6 +25,7 @@ pub(crate) fn run_in_words(
         Ending::Failed { halt, place } => {
             failed(halt, place, outcome.taken as f64 * outcome.dt, outcome.balance[Line::Created])
         }
+        Ending::Astray { why } => astray(why, outcome.taken as f64 * outcome.dt),
         Ending::Done | Ending::Stopped => vec![in_good_order(evidence)],
     };
     let mut text = ended;
@@ -81,6 +82,13 @@ fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
     };
     let place = said!("Most of it is in {place}.", place = place.clone());
     vec![why, place, remedy]
+}
+
+/// Why a run was ended whose motion is beyond what method and laws are made for.
+fn astray(why: &Said, time: f64) -> Vec<Said> {
+    let stopped =
+        said!("The run was stopped at {time} s: {why}.", time = format!("{time:.4}"), why = why.clone());
+    vec![stopped, said!("Rows, fields and checkpoints before it are valid.")]
 }
 
 /// Why a stage that moves nodes was given up.

@@ -146,6 +146,7 @@ fn shake(
             Stepping::On => {}
             Stepping::Done => return Ok(Ending::Done),
             Stepping::Failed { halt, place } => return Ok(Ending::Failed { halt, place }),
+            Stepping::Astray { why } => return Ok(Ending::Astray { why }),
         }
     }
 }

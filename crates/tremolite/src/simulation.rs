@@ -3,6 +3,7 @@
 //! It owns the state and shares the model, and nothing outside ever sees a state within a step. Whoever drives it decides when to
 //! go on; results do not depend on how. Files are written by its observers as it goes, so that what is done stays done.
 
+mod astray;
 mod followed;
 mod outcome;
 mod shaking;

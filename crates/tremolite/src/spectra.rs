@@ -10,6 +10,7 @@
 
 use crate::error::RunError;
 use crate::plan::Plan;
+use std::collections::HashSet;
 use tremolite_motion::{default_periods, pseudo_acceleration};
 use tremolite_results::{Column, ResultFolder, Subject, Table, TableWriter};
 
@@ -47,12 +48,14 @@ pub fn points(plan: &Plan, free_field: bool) -> Vec<Point> {
         if free_field { &[GIVEN, INCIDENT, SURFACE, BASE, EQUIVALENT][..] } else { &[GIVEN, INCIDENT] };
     let nobodys = |place: &&'static str| Point { subject: Subject::None, place };
     let mut points: Vec<Point> = of_ground.iter().map(nobodys).collect();
+    // A file has no two columns of one name, and monitors are many.
+    let mut taken: HashSet<String> = points.iter().map(|point| point.column("x").name).collect();
     for monitor in &plan.monitors {
         let of = |place| Point { subject: Subject::Monitor(monitor.name.clone()), place };
-        // A file has no two columns of one name, and these are taken.
-        let taken = points.iter().any(|point| point.column("x").name == of("").column("x").name);
-        points.extend((!taken).then(|| of("")));
-        points.extend(free_field.then(|| of(BESIDE)));
+        let beside = free_field.then(|| of(BESIDE));
+        points.extend(Some(of("")).filter(|own| taken.insert(own.column("x").name)));
+        taken.extend(beside.iter().map(|point| point.column("x").name));
+        points.extend(beside);
     }
     points
 }

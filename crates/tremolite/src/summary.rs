@@ -74,7 +74,10 @@ pub fn summary(evidence: Evidence) -> Summary {
     let status = match outcome.ending {
         Ending::Done => Status::Done,
         Ending::Stopped => Status::Stopped,
-        Ending::Failed { .. } | Ending::Restless { .. } | Ending::SnappedBack { .. } => Status::Failed,
+        Ending::Failed { .. }
+        | Ending::Astray { .. }
+        | Ending::Restless { .. }
+        | Ending::SnappedBack { .. } => Status::Failed,
     };
     let axes = ["x", "y", "z"];
     let mut groups: IndexMap<String, u64> =

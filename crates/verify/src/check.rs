@@ -1,6 +1,7 @@
 //! One figure beside its reference.
 
 use crate::VerifyError;
+use crate::convergence::Order;
 use crate::id::snake_case;
 use std::fmt;
 
@@ -21,6 +22,8 @@ pub struct Check {
     pub pass: bool,
     /// Order of convergence found between the two finest of the meshes or steps that were run.
     pub order: Option<f64>,
+    /// What the order was found from: the size of elements or steps over the finest, and the error there; coarsest first.
+    pub levels: Vec<[f64; 2]>,
     /// SI unit of value, reference and tolerance; '1' for a pure number.
     pub unit: &'static str,
     /// Why the tolerance is what it is, and what else a reader should know.
@@ -32,12 +35,13 @@ impl Check {
     pub fn new(
         name: &'static str,
         quantity: impl Into<String>,
-        value: f64,
+        value: impl Into<f64>,
         reference: f64,
         tolerance: f64,
         unit: &'static str,
         note: impl Into<String>,
     ) -> Self {
+        let value = value.into();
         Check {
             name,
             quantity: quantity.into(),
@@ -46,6 +50,7 @@ impl Check {
             tolerance: Some(tolerance),
             pass: (value - reference).abs() <= tolerance,
             order: None,
+            levels: Vec::new(),
             unit,
             note: note.into(),
         }
@@ -55,18 +60,20 @@ impl Check {
     pub fn beside(
         name: &'static str,
         quantity: impl Into<String>,
-        value: f64,
+        value: impl Into<f64>,
         measured: f64,
         unit: &'static str,
         note: impl Into<String>,
     ) -> Self {
+        let value = value.into();
         let pass = value.is_finite();
         Check { tolerance: None, pass, ..Check::new(name, quantity, value, measured, 0.0, unit, note) }
     }
 
     /// Adds the order of convergence, for the reader; an order that must be met is a check of its own.
-    pub fn with_order(mut self, order: f64) -> Self {
-        self.order = Some(order);
+    pub fn with_order(mut self, order: Order) -> Self {
+        self.order = Some(order.value());
+        self.levels = order.levels().to_vec();
         self
     }
 

@@ -1,8 +1,48 @@
 //! Orders of convergence, and the two constants of a damped oscillation from its samples.
 
+/// Levels that an [`Order`] has room for.
+const MOST: usize = 4;
+
+/// Errors at sizes that fall, and the order of convergence p between the two finest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// Size over the finest, and error there, coarsest first.
+    levels: [[f64; 2]; MOST],
+    count: usize,
+}
+
+impl Order {
+    /// p: errors go as the size to this power.
+    pub fn value(&self) -> f64 {
+        let [[coarse, before], [fine, after]] = [self.levels[self.count - 2], self.levels[self.count - 1]];
+        (before / after).ln() / (coarse / fine).ln()
+    }
+
+    /// Size (of elements or steps, or whatever falls) over the finest, and the error there; coarsest first.
+    pub fn levels(&self) -> &[[f64; 2]] {
+        &self.levels[..self.count]
+    }
+
+    /// The same with the level before the coarsest one: its error, and its size over that of the coarsest.
+    pub fn after(mut self, error: f64, ratio: f64) -> Self {
+        self.levels.copy_within(0..self.count, 1);
+        self.levels[0] = [ratio * self.levels[1][0], error];
+        self.count += 1;
+        self
+    }
+}
+
+impl From<Order> for f64 {
+    fn from(order: Order) -> f64 {
+        order.value()
+    }
+}
+
 /// Order p of an error that falls from `coarse` to `fine` when the size falls by `ratio`.
-pub fn order(coarse: f64, fine: f64, ratio: f64) -> f64 {
-    (coarse / fine).ln() / ratio.ln()
+pub fn order(coarse: f64, fine: f64, ratio: f64) -> Order {
+    let mut levels = [[0.0; 2]; MOST];
+    levels[..2].copy_from_slice(&[[ratio, coarse], [1.0, fine]]);
+    Order { levels, count: 2 }
 }
 
 /// One oscillation as samples q_n obey it: q_{n+1} = trace · q_n − determinant · q_{n−1}.
@@ -75,6 +115,13 @@ mod tests {
 
     #[test]
     fn an_error_that_falls_by_four_when_the_size_halves_has_order_two() {
-        assert!((order(4e-3, 1e-3, 2.0) - 2.0).abs() < 1e-14);
+        assert!((order(4e-3, 1e-3, 2.0).value() - 2.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_level_before_lies_coarser_and_leaves_the_order_to_the_two_finest() {
+        let found = order(4e-3, 1e-3, 2.0).after(8e-3, 3.0);
+        assert_eq!(found.levels(), [[6.0, 8e-3], [2.0, 4e-3], [1.0, 1e-3]]);
+        assert!((found.value() - 2.0).abs() < 1e-14);
     }
 }

@@ -45,6 +45,7 @@ mod simulation;
 pub mod specimen;
 mod staged;
 mod stiffness;
+mod text;
 
 pub use check::Check;
 pub use effort::Effort;
@@ -53,6 +54,7 @@ pub use problem::{Verification, Verified};
 pub use problems::PROBLEMS;
 pub use select::{UnknownName, select};
 pub use simulation::force_levels;
+pub use text::text;
 
 #[cfg(test)]
 mod tests;

@@ -240,7 +240,10 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
     }
     Ok(match outcome.ending {
         Ending::Done => Code::Done,
-        Ending::Failed { .. } | Ending::Restless { .. } | Ending::SnappedBack { .. } => Code::Failed,
+        Ending::Failed { .. }
+        | Ending::Astray { .. }
+        | Ending::Restless { .. }
+        | Ending::SnappedBack { .. } => Code::Failed,
         Ending::Stopped => Code::Stopped,
     })
 }

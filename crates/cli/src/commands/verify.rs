@@ -1,7 +1,14 @@
-//! `tremolite verify`: figures beside exact ones.
+//! `tremolite verify`: figures beside exact ones, and the document of them.
+
+mod document;
+mod record;
+mod words;
 
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::print;
+use record::Record;
+use std::path::{Path, PathBuf};
+use tremolite_results::replace_file;
 use tremolite_verify::{Check, Effort, Verification, Verified};
 
 #[derive(clap::Args)]
@@ -20,6 +27,15 @@ pub struct Args {
     /// One list of all figures, each with the seconds of its problem
     #[arg(long)]
     json: bool,
+    /// Write DIR/verification.md, with plots and DIR/verification/figures.json; figures of problems that do not run now stay as they are on record there
+    #[arg(long, value_name = "DIR", conflicts_with = "levels")]
+    write: Option<PathBuf>,
+    /// Run nothing: write the document from the figures on record
+    #[arg(long, requires = "write", conflicts_with_all = ["names", "full", "beyond_tests", "json", "against"])]
+    recorded: bool,
+    /// Fail as well where an order of convergence is below that in this record (docs/verification/figures.json)
+    #[arg(long, value_name = "FILE", conflicts_with = "levels")]
+    against: Option<PathBuf>,
 }
 
 pub fn run(args: &Args) -> Outcome {
@@ -27,6 +43,19 @@ pub fn run(args: &Args) -> Outcome {
     if args.levels {
         tremolite_verify::force_levels();
     }
+    // Read before anything runs, which takes minutes.
+    let folder = args.write.as_deref();
+    let mut record = folder.map_or(Ok(Record::default()), |folder| Record::read(&figures(folder)))?;
+    if let (true, Some(folder)) = (args.recorded, folder) {
+        return write(&record, folder);
+    }
+    let known = match &args.against {
+        Some(file) if !file.exists() => {
+            return Err(Failure::input(format!("{}: there is no such file", file.display())));
+        }
+        Some(file) => Some(Record::read(file)?),
+        None => None,
+    };
     let names: Vec<&str> = args.names.iter().map(String::as_str).collect();
     let mut problems = tremolite_verify::select(&names).map_err(Failure::input)?;
     problems.retain(|problem| !args.beyond_tests || problem.from > Effort::Test);
@@ -54,7 +83,57 @@ pub fn run(args: &Args) -> Outcome {
     } else {
         print(&conclusion(&all, missed));
     }
-    Ok(if missed == 0 { Code::Done } else { Code::Failed })
+    for (problem, verified) in &all {
+        record.take(problem.name, args.full, verified);
+    }
+    if let Some(folder) = folder {
+        std::fs::create_dir_all(plots(folder))
+            .map_err(|e| Failure::failed(format!("{}: {e}", folder.display())))?;
+        record.write(&figures(folder))?;
+        write(&record, folder)?;
+    }
+    let lost = known.map_or(0, |known| orders(&known, args.full, &all));
+    Ok(if missed + lost == 0 { Code::Done } else { Code::Failed })
+}
+
+/// Where plots and figures lie beside the page.
+fn plots(folder: &Path) -> PathBuf {
+    folder.join("verification")
+}
+
+fn figures(folder: &Path) -> PathBuf {
+    plots(folder).join("figures.json")
+}
+
+/// Writes page and plots; fails where a figure on record is beyond its tolerance.
+fn write(record: &Record, folder: &Path) -> Outcome {
+    let put = |path: PathBuf, text: &str| replace_file(&path, text.as_bytes()).map_err(Failure::failed);
+    put(folder.join("verification.md"), &document::page(record))?;
+    for (name, svg) in document::plots(record) {
+        put(plots(folder).join(name), &svg)?;
+    }
+    let mut beyond = 0;
+    for (name, figure) in
+        record.problems.iter().flat_map(|p| p.figures.iter().map(move |figure| (&p.name, figure)))
+    {
+        if !figure.pass {
+            eprintln!("{name}: {}: beyond its tolerance on record", figure.quantity);
+            beyond += 1;
+        }
+    }
+    Ok(if beyond == 0 { Code::Done } else { Code::Failed })
+}
+
+/// Says which orders are below those on record, and how many could be compared; how many were lost.
+fn orders(known: &Record, full: bool, all: &[(&Verification, Verified)]) -> usize {
+    let (mut count, mut lost) = (0, 0);
+    for (problem, verified) in all {
+        let (compared, said) = known.orders(problem.name, full, verified);
+        said.iter().for_each(|line| eprintln!("{line}"));
+        (count, lost) = (count + compared, lost + said.len());
+    }
+    eprintln!("{count} orders of convergence beside those on record, {lost} lost");
+    lost
 }
 
 fn row(check: &Check, seconds: Option<f64>) -> String {

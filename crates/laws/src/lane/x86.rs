@@ -158,55 +158,68 @@ impl<P: Enabled> Lane for Avx2<P> {
     #[inline(always)]
     fn load(from: &Octet, at: usize) -> Self {
         debug_assert!(at == 0 || at == 4);
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm256_load_pd(from.0.as_ptr().add(at & 4))) }
     }
     #[inline(always)]
     fn store(self, to: &mut Octet, at: usize) {
         debug_assert!(at == 0 || at == 4);
+        // SAFETY: as of `splat`.
         unsafe { _mm256_store_pd(to.0.as_mut_ptr().add(at & 4), self.0) }
     }
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm256_fmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn neg_mul_add(self, b: Self, c: Self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm256_fnmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm256_sqrt_pd(self.0)) }
     }
     #[inline(always)]
     fn abs(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0)) }
     }
     #[inline(always)]
     fn less(self, other: Self) -> __m256d {
+        // SAFETY: as of `splat`.
         unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) }
     }
     #[inline(always)]
     fn select(mask: __m256d, yes: Self, no: Self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm256_blendv_pd(no.0, yes.0, mask)) }
     }
     #[inline(always)]
     fn any(mask: __m256d) -> bool {
+        // SAFETY: as of `splat`.
         unsafe { _mm256_movemask_pd(mask) != 0 }
     }
     #[inline(always)]
     fn both(a: __m256d, b: __m256d) -> __m256d {
+        // SAFETY: as of `splat`.
         unsafe { _mm256_and_pd(a, b) }
     }
     #[inline(always)]
     fn either(a: __m256d, b: __m256d) -> __m256d {
+        // SAFETY: as of `splat`.
         unsafe { _mm256_or_pd(a, b) }
     }
     #[inline(always)]
     fn not(mask: __m256d) -> __m256d {
+        // SAFETY: as of `splat`.
         unsafe { _mm256_xor_pd(mask, _mm256_castsi256_pd(_mm256_set1_epi64x(-1))) }
     }
     #[inline(always)]
     fn exponent(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe {
             let shifted = _mm256_castsi256_pd(_mm256_srli_epi64::<52>(_mm256_castpd_si256(self.0)));
             let integer = _mm256_or_pd(shifted, _mm256_set1_pd(TWO_52));
@@ -215,6 +228,7 @@ impl<P: Enabled> Lane for Avx2<P> {
     }
     #[inline(always)]
     fn significand(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe {
             let fraction = _mm256_and_pd(self.0, _mm256_castsi256_pd(_mm256_set1_epi64x(FRACTION as i64)));
             Self::of(_mm256_or_pd(fraction, _mm256_set1_pd(1.0)))
@@ -222,6 +236,7 @@ impl<P: Enabled> Lane for Avx2<P> {
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe {
             let biased = _mm256_castpd_si256(_mm256_add_pd(self.0, _mm256_set1_pd(EXPONENT_BIAS)));
             Self::of(_mm256_castsi256_pd(_mm256_slli_epi64::<52>(biased)))
@@ -229,6 +244,7 @@ impl<P: Enabled> Lane for Avx2<P> {
     }
     #[inline(always)]
     unsafe fn gather(rows: &[Row], index: &[u16; 8], at: usize) -> [Self; 3] {
+        // SAFETY: as of `splat`.
         unsafe {
             let [x, y, z, _] = transpose([
                 load_row(rows, index[at]),
@@ -241,6 +257,7 @@ impl<P: Enabled> Lane for Avx2<P> {
     }
     #[inline(always)]
     unsafe fn scatter_add(rows: &mut [Row], index: &[u16; 8], vector: &[Octet; 3]) {
+        // SAFETY: as of `splat`.
         unsafe {
             for at in [0, 4] {
                 let x = _mm256_load_pd(vector[0].0.as_ptr().add(at));
@@ -267,34 +284,42 @@ impl<P: Enabled> Lane for Avx512<P> {
     }
     #[inline(always)]
     fn load(from: &Octet, _: usize) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm512_load_pd(from.0.as_ptr())) }
     }
     #[inline(always)]
     fn store(self, to: &mut Octet, _: usize) {
+        // SAFETY: as of `splat`.
         unsafe { _mm512_store_pd(to.0.as_mut_ptr(), self.0) }
     }
     #[inline(always)]
     fn mul_add(self, b: Self, c: Self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm512_fmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn neg_mul_add(self, b: Self, c: Self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm512_fnmadd_pd(self.0, b.0, c.0)) }
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm512_sqrt_pd(self.0)) }
     }
     #[inline(always)]
     fn abs(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm512_abs_pd(self.0)) }
     }
     #[inline(always)]
     fn less(self, other: Self) -> __mmask8 {
+        // SAFETY: as of `splat`.
         unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, other.0) }
     }
     #[inline(always)]
     fn select(mask: __mmask8, yes: Self, no: Self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe { Self::of(_mm512_mask_blend_pd(mask, no.0, yes.0)) }
     }
     #[inline(always)]
@@ -315,6 +340,7 @@ impl<P: Enabled> Lane for Avx512<P> {
     }
     #[inline(always)]
     fn exponent(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe {
             let shifted = _mm512_srli_epi64::<52>(_mm512_castpd_si512(self.0));
             let integer = _mm512_or_si512(shifted, _mm512_castpd_si512(_mm512_set1_pd(TWO_52)));
@@ -323,6 +349,7 @@ impl<P: Enabled> Lane for Avx512<P> {
     }
     #[inline(always)]
     fn significand(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe {
             let fraction = _mm512_and_si512(_mm512_castpd_si512(self.0), _mm512_set1_epi64(FRACTION as i64));
             let one = _mm512_castpd_si512(_mm512_set1_pd(1.0));
@@ -331,6 +358,7 @@ impl<P: Enabled> Lane for Avx512<P> {
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
+        // SAFETY: as of `splat`.
         unsafe {
             let biased = _mm512_castpd_si512(_mm512_add_pd(self.0, _mm512_set1_pd(EXPONENT_BIAS)));
             Self::of(_mm512_castsi512_pd(_mm512_slli_epi64::<52>(biased)))
@@ -338,6 +366,7 @@ impl<P: Enabled> Lane for Avx512<P> {
     }
     #[inline(always)]
     unsafe fn gather(rows: &[Row], index: &[u16; 8], _: usize) -> [Self; 3] {
+        // SAFETY: as of `splat`.
         unsafe {
             // Lanes l and l + 4 share a register; unpacking pairs of them leaves x and z in the even half, y in
             // the odd one, and one permutation of two registers puts eight lanes in order.
@@ -358,6 +387,7 @@ impl<P: Enabled> Lane for Avx512<P> {
     }
     #[inline(always)]
     unsafe fn scatter_add(rows: &mut [Row], index: &[u16; 8], vector: &[Octet; 3]) {
+        // SAFETY: as of `splat`.
         unsafe {
             let x = _mm512_load_pd(vector[0].0.as_ptr());
             let y = _mm512_load_pd(vector[1].0.as_ptr());

@@ -23,6 +23,16 @@ pub const TEXTS: Texts = &[
     ),
     ("Most of it is in {place}.", "其大部分位于{place}。"),
     ("Use a smaller time_step or safety.", "请减小 time_step 或 safety。"),
+    ("The run was stopped at {time} s: {why}.", "计算在 {time} s 停止：{why}。"),
+    ("Rows, fields and checkpoints before it are valid.", "此前的时程数据、场结果与检查点均有效。"),
+    (
+        "{place} has moved by {far} m, further than the model is long, {most} m: it is loose, or the record carries the model off (correct its baseline)",
+        "{place}已移动 {far} m，超过模型的最大尺寸 {most} m：该处已脱离约束，或地震记录使模型整体漂移（请校正基线）",
+    ),
+    (
+        "{pair} has closed by {closure} m under {pressure} Pa, beyond the largest closure of its law, {limit} m: give a larger max_closure, or a stiffer joint",
+        "{pair}在 {pressure} Pa 下闭合 {closure} m，超过其本构的最大闭合量 {limit} m：请增大 max_closure，或采用更刚的接触面",
+    ),
     (
         "Laws of materials gave out {created} J (created_by_law in energy.csv), more than was supplied, which no smaller step mends: split = \"effective\" does so once concrete has cracked, \"compliance\" does not.",
         "材料本构释放了 {created} J（energy.csv 中的 created_by_law），多于输入能量，减小时间步无济于事：混凝土开裂后 split = \"effective\" 会如此，\"compliance\" 不会。",

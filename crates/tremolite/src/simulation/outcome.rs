@@ -32,6 +32,10 @@ pub enum Ending {
         halt: Halt,
         place: Said,
     },
+    /// Something moved or closed by more than method and laws are made for: what and where.
+    Astray {
+        why: Said,
+    },
 }
 
 /// What is known of a run at its end besides its files.

@@ -1,5 +1,6 @@
 //! The shaking, step by step.
 
+use super::astray::astray;
 use super::followed::Followed;
 use super::outcome::{Ending, Outcome};
 use super::{Simulation, Whole};
@@ -34,6 +35,8 @@ pub enum Stepping {
     Done,
     /// Energy appeared: the halt, and the element where most of it is.
     Failed { halt: Halt, place: Said },
+    /// Something moved or closed by more than method and laws are made for: what and where.
+    Astray { why: Said },
 }
 
 /// A simulation in the shaking.
@@ -217,6 +220,16 @@ impl Simulation {
         {
             let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
             return Ok(self.fail(shaking, evaluated, halt));
+        }
+        // Of several ranks none has the whole state.
+        if shaking.engine.watches(&self.state)
+            && self.ranks.is_none()
+            && let Some(why) = astray(&self.model, &self.assembly, &self.phase, &self.state)
+        {
+            let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
+            let ended = Stepping::Astray { why };
+            self.end(shaking, evaluated, Some(ended.clone()));
+            return Ok(ended);
         }
         Ok(Stepping::On)
     }

@@ -96,7 +96,7 @@ fn to_the_end(simulation: &mut Simulation, steps: u64, between: &mut dyn FnMut(&
         match simulation.step(steps).unwrap() {
             Stepping::On => between(simulation, calls),
             Stepping::Done => return,
-            failed @ Stepping::Failed { .. } => panic!("{failed:?}"),
+            failed @ (Stepping::Failed { .. } | Stepping::Astray { .. }) => panic!("{failed:?}"),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! All tests of the engine and of runs: one binary, since each links the whole engine.
 
+mod astray;
 mod block;
 mod bolt_patterns;
 mod bolt_results;

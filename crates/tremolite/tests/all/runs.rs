@@ -51,7 +51,7 @@ fn plan(problem: &Problem) -> Plan {
 }
 
 /// Runs on `threads` threads into `folder`; stops when `stop_at` of 1 is reached.
-fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Option<u64>) -> Outcome {
+pub fn go(problem: Problem, folder: &Path, threads: usize, resume: bool, stop_at: Option<u64>) -> Outcome {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
         let plan = plan(&problem);
         let Ready { model, assembly, phase } = Ready::new(problem);

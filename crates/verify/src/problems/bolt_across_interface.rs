@@ -157,7 +157,7 @@ fn bonded(case: &Case) -> Result<Vec<Check>, VerifyError> {
         let quantity = format!("force {what}, error over that at the joint, {}", case.word);
         let note = "1 %: of order 2 in the length of segments";
         if what.starts_with("within") {
-            let p = order(errors[1], errors[2], 2.0);
+            let p = order(errors[1], errors[2], 2.0).after(errors[0], 2.0);
             checks.push(Check::new(NAME, &*quantity, errors[2], 0.0, 0.01, "1", note).with_order(p));
             let note = "order 2; oblique bars are cut where they leave elements, so that not all segments are halved";
             checks.push(Check::new(

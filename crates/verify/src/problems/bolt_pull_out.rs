@@ -128,7 +128,7 @@ impl Pulled {
 /// A check of errors that fall with the length of segments, and one of the order.
 fn falling(of: &str, errors: &[f64], note: &str) -> [Check; 2] {
     let last = errors.len() - 1;
-    let p = order(errors[last - 1], errors[last], 2.0);
+    let p = order(errors[last - 1], errors[last], 2.0).after(errors[last - 2], 2.0);
     let note = format!("1 %: {note}");
     [
         Check::new(NAME, of, errors[last], 0.0, 0.01, "1", note).with_order(p),

@@ -155,7 +155,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
     let quantity = "motion of the wall over that of spread bolts";
     checks.push(Check::new(NAME, quantity, last.wall, 1.0, 0.03, "1", note).with_order(p));
     let quantity = "order in h of the motion of the wall";
-    checks.push(Check::new(NAME, quantity, p, 2.0, 0.3, "1", "order 2: a bolt in every sector"));
+    checks.push(Check::new(NAME, quantity, p, 2.0, 0.3, "1", "order 2: a bolt in every sector").with_order(p));
     let p = orders(|o| o.force);
     let note = "3 % of the largest, which is at the wall; forces are of the middle of segments";
     checks.push(

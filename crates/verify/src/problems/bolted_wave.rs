@@ -159,7 +159,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
                 .push(Check::new(NAME, quantity, ratio, 1.0, 0.05, "1", note).with_order(of_order(&bolted)));
             let note = "the error's size stays that of the scheme as Δt is halved";
             let quantity = of("order in Δt of the error of the balance");
-            checks.push(Check::new(NAME, quantity, of_order(&bolted), 2.0, 0.1, "1", note));
+            checks.push(Check::new(NAME, quantity, of_order(&bolted), 2.0, 0.1, "1", note).with_order(of_order(&bolted)));
             checks.push(Check::beside(
                 NAME,
                 of("largest force"),

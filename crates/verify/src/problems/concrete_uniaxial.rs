@@ -111,7 +111,7 @@ fn compression(law: &Concrete, split: &str, checks: &mut Vec<Check>) -> Result<(
     let note = "8e-4: a step grows the strain by 0.4 % of f_c/E, and the plateau is 0.2 f_c";
     checks.push(check(split, what, fine, 0.0, 8e-4, note).with_order(p));
     let note = "order 1: this split tests shear with the damage of the step before";
-    checks.push(check(split, "order in the step of the plateau β f_c", p, 1.0, 0.1, note).with_order(p));
+    checks.push(check(split, "order in the step of the plateau β f_c", p.value(), 1.0, 0.1, note).with_order(p));
     Ok(())
 }
 
@@ -149,7 +149,7 @@ fn steps(law: &Concrete, split: &str, effort: Effort, checks: &mut Vec<Check>) {
         mean[0], mean[2]
     );
     checks.push(
-        check(split, &format!("order in the step of D⁻ on {paths} random paths"), p, 1.0, 0.3, &note)
+        check(split, &format!("order in the step of D⁻ on {paths} random paths"), p.value(), 1.0, 0.3, &note)
             .with_order(p),
     );
 }

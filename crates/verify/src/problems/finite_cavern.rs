@@ -9,6 +9,7 @@
 //! **Model.** A block of 17 w by 17 w by 32 w, all faces rollers. All caverns have one section, and the difference at y = 0 is taken
 //! node by node around the wall, so that the mesh across does not err in it; along y there are two elements a width.
 
+use crate::convergence::order;
 use crate::models::Solid;
 use crate::staged::{Rested, UNTIL_CHANGE};
 use crate::{Check, Effort, Verification, VerifyError};
@@ -62,7 +63,8 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
             let ratio: f64 = less / before;
             let note = "a quarter by order 2, and less than a half: order 1 at least";
             checks.push(Check::new(NAME, of("lag over that of half the length"), ratio, 0.25, 0.25, "1", note));
-            let (quantity, order) = (of("order of the lag in 1/L from half the length"), -ratio.log2());
+            let quantity = of("order of the lag in 1/L from half the length");
+            let order = order(before, less, 2.0);
             checks.push(if length == 4.0 {
                 let note = "0.3: a next term of (w/L)² of the first takes log₂(1.25/1.06) = 0.24 from 2 to 4 widths";
                 Check::new(NAME, quantity, order, 2.0, 0.3, "1", note).with_order(order)

@@ -122,7 +122,7 @@ fn risen(wave: Wave, sides: Side, with: &str) -> Result<Vec<Check>, VerifyError>
     let p = order(coarse.error[0], fine.error[0], 2.0);
     let quantity = format!("{letter}: order in h of displacement{with}");
     let note = "all leading terms are of order 2 in h, Δt ∝ h; the next are (kh)²/10 of them, 0.06 at 2 f";
-    checks.push(Check::new(NAME, quantity, p, 2.0, 0.1, "1", note));
+    checks.push(Check::new(NAME, quantity, p, 2.0, 0.1, "1", note).with_order(p));
     let differ = fine.history.iter().zip(&springs.history).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     let largest = fine.history.iter().copied().map(f64::abs).fold(0.0, f64::max);
     let quantity = format!("{letter}: effect of the base's springs on the surface's displacement{with}");

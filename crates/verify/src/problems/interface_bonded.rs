@@ -64,7 +64,7 @@ pub(super) fn limit(name: &'static str, lining: bool, fault: bool) -> Result<Vec
         found.push(differ(&shared, &history(Joints { lining, fault, law: "coulomb", numbers: &numbers })?));
     }
     let [coarse, middle, fine] = [0, 1, 2].map(|i| found[i]);
-    let p = order(middle, fine, 2.0);
+    let p = order(middle, fine, 2.0).after(coarse, 2.0);
     let note = "1 %: falls as 1/k";
     let quantity = "difference of displacements from shared nodes over the largest, k = 200 GPa/m";
     let check = Check::new(name, quantity, fine, 0.0, 0.01, "1", note).with_order(p);

@@ -10,6 +10,9 @@ macro_rules! problems {
         /// stages, bolts, tests of specimens.
         pub const PROBLEMS: &[Verification] = &[$($name::PROBLEM),*];
 
+        /// The file of each, whose head says what is verified and how: formula, model, errors.
+        pub(crate) const FILES: &[&str] = &[$(include_str!(concat!(stringify!($name), ".rs"))),*];
+
         #[cfg(test)]
         mod tests {
             use crate::tests::passes;

@@ -223,7 +223,7 @@ fn straight_up() -> Result<Vec<Check>, VerifyError> {
         let p = order(coarse[k], fine[k], 2.0);
         [
             Check::beside(NAME, quantity, coarse[k], coarse[0], "1", note),
-            Check::new(NAME, format!("order in h of {quantity}"), p, 2.0, 0.1, "1", "order 2"),
+            Check::new(NAME, format!("order in h of {quantity}"), p, 2.0, 0.1, "1", "order 2").with_order(p),
         ]
     });
     Ok(each.collect())

@@ -111,7 +111,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             let most = if kind == WaveType::Sv && angle > 50.0 && !ground.damped { 0.02 } else { 0.01 };
             checks.push(Check::new(NAME, quantity, coarse[1], 0.0, most, "1", note).with_order(edges));
             let note = "order 2 in h of the root mean square of all nodes and times, Δt ∝ h";
-            checks.push(Check::new(NAME, format!("order in h of the field's error in the mean, {of}"), p, 2.0, 0.25, "1", note));
+            checks.push(Check::new(NAME, format!("order in h of the field's error in the mean, {of}"), p, 2.0, 0.25, "1", note).with_order(p));
         }
     }
     let finer = if effort == Effort::Test { &[][..] } else { &[1, 2][..] };
@@ -141,7 +141,7 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             ("order of the difference from slabs and columns off the edges", order(coarse.beside[0], fine.beside[0], 2.0)),
             ("order of the chain's own error", order(coarse.chain, fine.chain, 2.0)),
         ] {
-            checks.push(Check::new(NAME, quantity, p, 2.0, 0.3, "1", note));
+            checks.push(Check::new(NAME, quantity, p, 2.0, 0.3, "1", note).with_order(p));
         }
     }
     Ok(checks)

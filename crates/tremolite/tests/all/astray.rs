@@ -1,0 +1,77 @@
+//! Runs that end although their energy balances: a node that runs away, a joint that closes beyond its law.
+
+use crate::block::block;
+use crate::contact::between;
+use crate::runs::go;
+use std::sync::Arc;
+use tremolite::Problem;
+use tremolite::parts::loads::Load;
+use tremolite::simulation::Ending;
+use tremolite_results::{Pvd, Table};
+
+/// A pressure \[Pa\] on the top of the block, 14 m up, that comes within 20 ms; upwards where it is negative.
+fn pressed(mut problem: Problem, pressure: f64) -> Problem {
+    let nodes = &problem.mesh.nodes;
+    let top: Vec<u32> =
+        (0..nodes.len() as u32).filter(|&n| (nodes[n as usize][2] - 14.0).abs() < 1e-6).collect();
+    let each = -pressure * 120.0 / top.len() as f64;
+    problem.loads.push(Load {
+        forces: top.into_iter().map(|n| (n, [0.0, 0.0, each])).collect(),
+        factor: Arc::new(|time| (time / 0.02).min(1.0)),
+    });
+    problem
+}
+
+/// Why a run of this problem was ended, with what it left sound until then.
+fn ended(problem: Problem) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let outcome = go(problem, folder.path(), 2, false, None);
+    let Ending::Astray { why } = &outcome.ending else {
+        panic!("it must be ended, not {:?}", outcome.ending)
+    };
+    assert!(outcome.taken < outcome.steps.total);
+    let table = Table::read(&folder.path().join("monitors.csv")).unwrap();
+    assert!(table.rows() >= 1 && !table.cut);
+    let last = *table.column("time").unwrap().last().unwrap();
+    assert!(last <= outcome.taken as f64 * outcome.dt && last > 0.0, "rows until then: {last}");
+    assert!(!Pvd::read(&folder.path().join("fields.pvd")).unwrap().snapshots().is_empty());
+    why.to_string()
+}
+
+#[test]
+fn what_moves_further_than_the_model_is_long_ends_the_run_and_is_named() {
+    let why = ended(pressed(block([4, 4, 5]), -3e9));
+    assert!(
+        why.starts_with("element ") && why.contains("further than the model is long, 1.400e1 m"),
+        "{why}"
+    );
+}
+
+#[test]
+fn a_joint_that_closes_beyond_its_law_ends_the_run_and_its_pair_is_named() {
+    let joint = |closure| {
+        let mut problem = block([4, 4, 5]);
+        let numbers = [
+            ("normal_stiffness", 20e9),
+            ("max_closure", closure),
+            ("cohesion", 0.2e6),
+            ("friction", 0.7),
+            ("pressure_for_step", 10e6),
+        ];
+        problem.interfaces = vec![between(&problem, [1, 0], "bandis", &numbers)];
+        pressed(problem, 40e6)
+    };
+    // The curve goes straight from 12 MPa and comes to the largest closure at 28 MPa.
+    let why = ended(joint(0.2e-3));
+    assert!(
+        why.starts_with("interface 'joint' at node ")
+            && why.contains("beyond the largest closure of its law, 2.000e-4 m"),
+        "{why}"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(
+        go(joint(2e-3), folder.path(), 2, false, None).ending,
+        Ending::Done,
+        "one that may close by more goes on"
+    );
+}
