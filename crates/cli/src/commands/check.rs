@@ -3,10 +3,10 @@
 mod bolts;
 mod judged;
 mod ranks;
-
-pub use ranks::more;
 mod stages;
 mod text;
+
+pub use ranks::more;
 
 use super::room::{self, Free};
 use super::{given, load, modelled, pool};
