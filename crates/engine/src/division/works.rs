@@ -53,25 +53,26 @@ impl Works {
                 sound[levels * first as usize + usize::from(level)] += MOVED;
             }
         }
-        let case = |weight: f64, cracked: &dyn Fn(usize) -> bool| {
+        let case = |weight: f64, cracked: &mut dyn Iterator<Item = (u32, f64)>| {
             let mut up_to = sound.clone();
-            for (p, patch) in model.patches.iter().enumerate() {
-                if cracked(p) {
-                    up_to[levels * p + usize::from(patch.level)] += more[p];
-                }
-                (1..levels).for_each(|l| up_to[levels * p + l] += up_to[levels * p + l - 1]);
+            for (p, share) in cracked {
+                let p = p as usize;
+                up_to[levels * p + usize::from(model.patches[p].level)] += share * more[p];
+            }
+            for own in up_to.chunks_exact_mut(levels) {
+                (1..levels).for_each(|l| own[l] += own[l - 1]);
             }
             Case { weight, up_to }
         };
-        let mut cases = vec![case(1.0, &|_| false)];
-        let bodies = connected(&more, touched);
+        let mut cases = vec![case(1.0, &mut std::iter::empty())];
+        let bodies = connected(model, &more);
         if !bodies.is_empty() {
-            cases.push(case(1.0, &|_| true));
+            cases.push(case(1.0, &mut (0..more.len() as u32).map(|p| (p, 1.0))));
         }
         if let [_, _, ..] = bodies[..] {
             // One lining may crack before the other.
             let share = 1.0 / bodies.len() as f64;
-            cases.extend(bodies.iter().map(|body| case(share, &|p| body.binary_search(&(p as u32)).is_ok())));
+            cases.extend(bodies.iter().map(|body| case(share, &mut body.iter().copied())));
         }
         let whole: f64 = cases.iter().map(|case| case.weight).sum();
         cases.iter_mut().for_each(|case| case.weight /= whole);
@@ -109,31 +110,37 @@ impl Works {
     }
 }
 
-/// Patches that crack, `more` of whose work is above 0, as bodies that have no node in common: their patches, ascending. Small ones are left out.
-fn connected(more: &[f64], touched: &[Vec<u32>]) -> Vec<Vec<u32>> {
-    let mut root: Vec<u32> = (0..more.len() as u32).collect();
-    let find = |root: &[u32], mut p: u32| {
-        while root[p as usize] != p {
-            p = root[p as usize];
+/// Elements of patches that crack, `more` of whose work is above 0, as bodies that have no node in common: by body the patches, ascending, with
+/// the share of their elements that is in it. Small ones are left out.
+fn connected(model: &Model, more: &[f64]) -> Vec<Vec<(u32, f64)>> {
+    let mut root: Vec<u32> = (0..model.nodes.level.len() as u32).collect();
+    let find = |root: &[u32], mut n: u32| {
+        while root[n as usize] != n {
+            n = root[n as usize];
         }
-        p
+        n
     };
-    for patches in touched {
-        let mut cracks = patches.iter().filter(|&&p| more[p as usize] > 0.0);
-        let Some(&first) = cracks.next() else { continue };
-        for &other in cracks {
-            let [a, b] = [first, other].map(|p| find(&root, p));
-            let least = a.min(b);
-            [a, b, first, other].into_iter().for_each(|p| root[p as usize] = least);
+    let nodes =
+        |e: u32| model.mesh.elements[e as usize].nodes().iter().map(|&n| model.engine_node[n as usize]);
+    let cracks = || (0..more.len()).filter(|&p| more[p] > 0.0);
+    for e in cracks().flat_map(|p| model.patches[p].elements.iter().copied()) {
+        let least = nodes(e).map(|n| find(&root, n)).min().unwrap_or_default();
+        for n in nodes(e) {
+            let old = find(&root, n);
+            [old, n].into_iter().for_each(|n| root[n as usize] = least);
         }
     }
-    let mut bodies = BTreeMap::<u32, Vec<u32>>::new();
-    for p in (0..more.len() as u32).filter(|&p| more[p as usize] > 0.0) {
-        bodies.entry(find(&root, p)).or_default().push(p);
+    let mut bodies = BTreeMap::<u32, BTreeMap<u32, f64>>::new();
+    for p in cracks() {
+        let each = 1.0 / model.patches[p].elements.len() as f64;
+        for root in model.patches[p].elements.iter().filter_map(|&e| Some(find(&root, nodes(e).next()?))) {
+            *bodies.entry(root).or_default().entry(p as u32).or_default() += each;
+        }
     }
     let whole: f64 = more.iter().sum();
-    let large = |body: &Vec<u32>| body.iter().map(|&p| more[p as usize]).sum::<f64>() >= LARGE * whole;
-    bodies.into_values().filter(large).collect()
+    let bodies = bodies.into_values().map(|body| body.into_iter().collect::<Vec<_>>());
+    let work = |body: &[(u32, f64)]| body.iter().map(|&(p, share)| share * more[p as usize]).sum::<f64>();
+    bodies.filter(|body| work(body) >= LARGE * whole).collect()
 }
 
 /// One update of a patch, where 1 is that of an elastic brick. What points and columns of their history

@@ -65,6 +65,9 @@ const CUT: Derived = ("constant", "that the plane meets are shown");
 /// No number of the run: what a release of everything is.
 const RELEASE: Derived = ("constant", "a release below 100\u{a0}%");
 
+/// What a crack is that lies parallel to a wall.
+const PARALLEL: Derived = ("constant", "lies within 45° of the thickness");
+
 #[test]
 fn numbers_of_monitors_checks_and_damage_stand_in_the_files() {
     let temp = tempfile::tempdir().unwrap();
@@ -79,6 +82,7 @@ fn numbers_of_monitors_checks_and_damage_stand_in_the_files() {
     summary.computed.model.duration = 20.0;
     summary.write(&folder.summary()).unwrap();
     let derived = [
+        PARALLEL,
         // Cards hold the largest of all monitors.
         ("over: length of the displacement of B", " | Largest displacement of a monitor"),
         ("over: largest", " | Largest displacement of a monitor"),

@@ -300,7 +300,7 @@ fn a_section_of_another_concrete_than_the_models_is_told() {
         summary.computed.materials = [("concrete".to_owned(), concrete)].into();
         summary.write(&folder.summary()).unwrap();
         let found = sheets(&folder, Language::English);
-        let words = "not the concrete of the model, whose f_c is 9.9";
+        let words = "f_c 9.9 MPa in the model, 31.5 MPa (characteristic) to 39.5 MPa (mean) by C30&#x2f;37";
         assert_eq!(found.contains(words), told, "{strength}: {found}");
         assert!(found.contains("of 64: 1 by N and M, 2 by shear"), "{found}");
     }

@@ -3,11 +3,11 @@
 //! A slab of 4 × 3 × 0.4 m, turned at will, is led everywhere: stretched by 2 mm a metre along its ring, along its axis and through its
 //! thickness, and bent round its axis until its fibres are stretched as much. So the strain is known everywhere, and which faces go apart:
 //! the first cracks are longitudinal, the second go round the ring, the third lie parallel to the wall, the last are longitudinal and on one
-//! side. A crack is as wide as its element is stretched (bent: at its outermost point), less at most f_t/E of it, which may be elastic: that is
-//! the tolerance. In halved elements it is half as wide. No other direction has more than that elastic part. In the direction between ring and
+//! side. A crack is as wide as its element is stretched (bent: at its outermost point, less what the stress explains that keeps fibres from
+//! contracting), less at most f_t/E of it, which may be elastic: that is the tolerance. In halved elements it is half as wide. No other direction has more than that elastic part. In the direction between ring and
 //! thickness, at 46° to the latter, the crack still crosses bars, and at 44° it is parallel to the wall.
 
-use crate::concrete::{THRESHOLD, YOUNG, values};
+use crate::concrete::{POISSON, THRESHOLD, YOUNG, values};
 use crate::models::material;
 use crate::simulation::Simulation;
 use crate::{Check, Effort, Verification, VerifyError};
@@ -130,7 +130,7 @@ fn widths(parts: u32, turn: f64, strained: Strained) -> Result<([f64; 4], f64, f
     }
     let seen = engine.look(&state);
     let history = History::new(&simulation.assembly, &seen.history);
-    let each = Cracks::now(&simulation.model, &simulation.phase, &history);
+    let each = Cracks::now(&simulation.model, &simulation.assembly, &simulation.phase, &history);
     let mut widest = [0.0_f64; 4];
     for widths in each.values() {
         widest.iter_mut().zip(widths).for_each(|(most, width)| *most = most.max(*width));
@@ -138,10 +138,12 @@ fn widths(parts: u32, turn: f64, strained: Strained) -> Result<([f64; 4], f64, f
     let edges: [f64; 3] = std::array::from_fn(|k| SLAB[k] / f64::from(cells[k]));
     let (extent, stretch) = match strained {
         Strained::Along(d) => ((0..3).map(|k| (edges[k] * d[k]).powi(2)).sum::<f64>().sqrt(), STRETCH),
-        // The outermost of 2×2×2 points.
+        // The outermost of 2×2×2 points. Within an element bent fibres contract across the thickness by ν/(1 − ν) of their strain from its
+        // middle; the stress of that explains ν of it.
         Strained::Bent => {
-            let outermost = 0.5 * SLAB[2] - 0.5 * edges[2] * (1.0 - 1.0 / 3f64.sqrt());
-            (edges[0], curvature * outermost)
+            let within = 0.5 * edges[2] / 3f64.sqrt();
+            let outermost = 0.5 * (SLAB[2] - edges[2]) + within;
+            (edges[0], curvature * (outermost - POISSON * POISSON / (1.0 - POISSON) * within))
         }
     };
     Ok((widest, extent * stretch, THRESHOLD * edges[0].max(extent)))

@@ -33,6 +33,12 @@ const ROUND_OFF: f64 = 1e-6;
 const OBLIQUE: f64 = 0.5 + 1e-9;
 
 impl Frame {
+    /// The same in other axes, given by their unit vectors.
+    pub fn within(&self, axes: &[[f64; 3]; 3]) -> Frame {
+        let turn = |v: &[f64; 3]| axes.map(|axis| (0..3).map(|i| axis[i] * v[i]).sum::<f64>());
+        Frame { round: turn(&self.round), through: turn(&self.through) }
+    }
+
     /// Of a crack with this unit normal: parallel to the wall if the normal lies within 45° of the thickness, else by whether it lies nearer
     /// the ring or the axis.
     pub fn direction(&self, normal: &[f64; 3]) -> CrackDirection {
