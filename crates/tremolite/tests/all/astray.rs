@@ -41,7 +41,11 @@ fn ended(problem: Problem) -> String {
 
 #[test]
 fn what_moves_further_than_the_model_is_long_ends_the_run_and_is_named() {
-    let why = ended(pressed(block([4, 4, 5]), -3e9));
+    let mut problem = block([4, 4, 5]);
+    // A wave that the free base does not let in: the guard of energies leaves as much to noise as such a load does at first.
+    problem.base = Base::Free;
+    problem.incident.iter_mut().for_each(|incident| incident.factor = 1e3);
+    let why = ended(pressed(problem, -100e6));
     assert!(
         why.starts_with("element ") && why.contains("further than the model is long, 1.400e1 m"),
         "{why}"
@@ -72,7 +76,7 @@ fn a_joint_that_closes_beyond_its_law_ends_the_run_and_its_pair_is_named() {
     );
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(
-        go(joint(2e-3), folder.path(), 2, false, None).ending,
+        go(joint(8e-3), folder.path(), 2, false, None).ending,
         Ending::Done,
         "one that may close by more goes on"
     );
