@@ -39,8 +39,8 @@ pub enum Stepping {
     Astray { why: Said },
 }
 
-/// Steps of the finest level after which somebody asks whether anything went astray: all nodes and pairs are gone through, on one thread.
-const ASTRAY: u64 = 64;
+/// Steps of the coarsest level after which somebody asks whether anything went astray: all nodes and pairs are gone through, on one thread.
+const ASTRAY: u64 = 8;
 
 /// A simulation in the shaking.
 pub(super) struct Shaking {
@@ -225,7 +225,7 @@ impl Simulation {
             return Ok(self.fail(shaking, evaluated, halt));
         }
         // Of several ranks none has the whole state.
-        if self.state.steps().is_multiple_of(ASTRAY)
+        if self.state.steps().is_multiple_of(ASTRAY * self.phase.span())
             && self.ranks.is_none()
             && let Some(why) = astray(&self.model, &self.assembly, &self.phase, &self.state)
         {

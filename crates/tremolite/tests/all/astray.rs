@@ -45,7 +45,7 @@ fn what_moves_further_than_the_model_is_long_ends_the_run_and_is_named() {
     // A wave that the free base does not let in: the guard of energies leaves as much to noise as such a load does at first.
     problem.base = Base::Free;
     problem.incident.iter_mut().for_each(|incident| incident.factor = 1e3);
-    let why = ended(pressed(problem, -100e6));
+    let why = ended(pressed(problem, -300e6));
     assert!(
         why.starts_with("element ") && why.contains("further than the model is long, 1.400e1 m"),
         "{why}"
