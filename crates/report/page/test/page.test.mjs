@@ -102,7 +102,7 @@ test("on paper the drawings stand, and what needs a pointer does not", async () 
 
 test("each of the two sheets fits a page of paper", async () => {
   // What @page leaves of A4 between its margins.
-  const [width, height] = [182, 265].map((mm) => (mm / 25.4) * 96);
+  const [width, height] = [186, 272].map((mm) => (mm / 25.4) * 96);
   for (const folder of ["english", "chinese", "named"]) {
     const options = { viewport: { width: Math.floor(width), height: 900 } };
     await withPage(
@@ -117,6 +117,13 @@ test("each of the two sheets fits a page of paper", async () => {
           }),
         );
         assert.equal(sheets.length, 2);
+        const above = await page.evaluate(() => {
+          const signed = document.querySelector(".sheet .signed");
+          const others = [...signed.closest(".sheet").children].filter((part) => !part.contains(signed));
+          const bottom = Math.max(...others.map((part) => part.getBoundingClientRect().bottom));
+          return signed.getBoundingClientRect().top - bottom;
+        });
+        assert.ok(above >= 0, `${folder}: the signatures lie ${-above} px over what stands above`);
         // What is wider than the paper would shrink all pages.
         await unfold(page);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth);
