@@ -35,8 +35,16 @@ fn between<L: Lane>(size: &Sym<L>, a: &[L; 3], b: &[L; 3]) -> L {
 fn squared<L: Lane>(m: &Sym<L>, size: &Sym<L>) -> Sym<L> {
     let [xx, yy, zz, xy, yz, zx] = *m;
     let rows = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
-    let of = |i: usize, k: usize| between(size, &rows[i], &rows[k]);
-    [of(0, 0), of(1, 1), of(2, 2), of(0, 1), of(1, 2), of(2, 0)]
+    // Written out: a closure would leave the kernel's instruction set.
+    let [x, y, z] = &rows;
+    [
+        between(size, x, x),
+        between(size, y, y),
+        between(size, z, z),
+        between(size, x, y),
+        between(size, y, z),
+        between(size, z, x),
+    ]
 }
 
 impl Concrete {
