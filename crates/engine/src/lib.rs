@@ -68,6 +68,7 @@ pub use life::{Life, Stage};
 pub use member::{Kind, Member};
 pub use model::Model;
 pub use node_table::{Domain, Nodes};
+pub use patch_part::law_axes;
 pub use phase::Phase;
 pub use prescribed::Prescribed;
 pub use problem::{MOST_LEVELS, Problem, Rayleigh, TimeStep};

@@ -58,13 +58,7 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
             let source = model.engine_node[pair.source as usize];
             sides.insert((source, [place(pair.front), place(pair.back)]));
         }
-        // Kernels have the thickness along ζ, and the edges of bricks along x, y and z; nothing else goes by the order of corners.
-        let order = match body.quadrature {
-            Quadrature::Layered(_) => Some(turned(model.elements.thickness[e as usize] as usize)),
-            Quadrature::OnePoint if patch.bricks => hex.upright(),
-            Quadrature::OnePoint | Quadrature::Full => None,
-        };
-        let (corner, hex) = match order {
+        let (corner, hex) = match order(model, patch, e, &hex) {
             None => (corner, hex),
             Some(order) => {
                 let hex = Hex8::new(order.map(|k| hex.corners[k])).map_err(unusable)?;
@@ -137,4 +131,27 @@ fn viscosity(model: &Model, patch: &Patch, geometry: &[Hex8]) -> Vec<f64> {
     let wet = model.water.frequencies(body, &patch.elements, geometry);
     let each = patch.elements.iter().zip(omegas.iter().zip(wet));
     each.map(|(&e, (dry, wet))| 2.0 * share(e) / dry * (wet / dry)).collect()
+}
+
+/// The order of an element's corners for its kernel: that has the thickness along ζ, and the edges of bricks along x, y and z; nothing else goes by it.
+fn order(model: &Model, patch: &Patch, e: u32, hex: &Hex8) -> Option<[usize; 8]> {
+    match model.bodies[patch.body].quadrature {
+        Quadrature::Layered(_) => Some(turned(model.elements.thickness[e as usize] as usize)),
+        Quadrature::OnePoint if patch.bricks => hex.upright(),
+        Quadrature::OnePoint | Quadrature::Full => None,
+    }
+}
+
+/// Unit vectors of the axes, one a row, in which the law of an element of a patch sees strains and its history keeps tensors: x, y and z, or those
+/// along the edges of a brick of several points.
+pub fn law_axes(model: &Model, patch: &Patch, e: u32) -> [[f64; 3]; 3] {
+    const GLOBAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    if !patch.bricks || model.bodies[patch.body].quadrature == Quadrature::OnePoint {
+        return GLOBAL;
+    }
+    let own = hex(&model.mesh, e as usize).and_then(|hex| match order(model, patch, e, &hex) {
+        Some(order) => Hex8::new(order.map(|k| hex.corners[k])),
+        None => Ok(hex),
+    });
+    own.map_or(GLOBAL, |hex| hex.directions)
 }

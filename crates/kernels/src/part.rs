@@ -2,7 +2,7 @@
 
 use crate::line::Lines;
 use crate::stage::Stage;
-use tremolite_laws::shapes::hex8::{GLOBAL, Held};
+use tremolite_laws::shapes::hex8::Held;
 use tremolite_laws::{Column, Octet, Row};
 
 /// What laws and loads may know of the time, which is not the scheme's: before the earthquake time stands still for
@@ -162,11 +162,6 @@ pub trait Part: Send + Sync {
     /// each column by column; a part without elements may lay out its history as it likes and names no columns.
     fn columns(&self) -> &'static [Column] {
         &[]
-    }
-    /// Unit vectors of the axes, one a row, in which the law of an element sees strains and its history keeps tensors: x, y and z, or those
-    /// along a brick's edges.
-    fn axes(&self, _element: usize) -> [[f64; 3]; 3] {
-        GLOBAL
     }
     /// Bytes of what the part was made from, the nodes that it pushes included: shapes, weights, places.
     fn bytes(&self) -> usize {

@@ -288,10 +288,6 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
         M::HISTORY
     }
 
-    fn axes(&self, element: usize) -> [[f64; 3]; 3] {
-        R::axes(&self.geometry[element / 8], element % 8)
-    }
-
     fn bytes(&self) -> usize {
         let Solid { nodes, index, geometry, viscosity, sizes, porous, .. } = self;
         let packed = size_of_val(&index[..]) + size_of_val(&geometry[..]);

@@ -4,9 +4,8 @@ use super::weakened::Weakened;
 use std::marker::PhantomData;
 use tremolite_laws::band::{BandStep, MEMORY};
 use tremolite_laws::shapes::hex8::{
-    BrickField, FieldShape, FullGeometry, FullShape, GLOBAL, Given, Hex8, LEFT, LayeredShape, Layers,
-    MODAL_MEMORY, OnePointShape, Probe, Stabilisation, Through, bricks_left, full, layered, layered_left,
-    one_point,
+    BrickField, FieldShape, FullGeometry, FullShape, Given, Hex8, LEFT, LayeredShape, Layers, MODAL_MEMORY,
+    OnePointShape, Probe, Stabilisation, Through, bricks_left, full, layered, layered_left, one_point,
 };
 use tremolite_laws::{Lane, Material, Octet, Point, Row};
 
@@ -27,10 +26,6 @@ pub trait Rule: Send + Sync + 'static {
     /// A stress of the element in a lane in the axes in which the law sees strains, from one in global axes.
     fn local(_: &Self::Geometry, _lane: usize, stress: &[f64; 6]) -> [f64; 6] {
         *stress
-    }
-    /// Those axes, one a row.
-    fn axes(_: &Self::Geometry, _lane: usize) -> [[f64; 3]; 3] {
-        GLOBAL
     }
 
     /// Forces of one octet.
@@ -205,9 +200,6 @@ impl Rule for FullBricks {
     fn local(geometry: &Self::Geometry, lane: usize, stress: &[f64; 6]) -> [f64; 6] {
         geometry.local(stress, lane)
     }
-    fn axes(geometry: &Self::Geometry, lane: usize) -> [[f64; 3]; 3] {
-        geometry.axes(lane)
-    }
     #[inline(always)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(
         &self,
@@ -267,9 +259,6 @@ impl<G: LayeredShape> Rule for Layered<G> {
     }
     fn local(geometry: &Self::Geometry, lane: usize, stress: &[f64; 6]) -> [f64; 6] {
         geometry.field().local(stress, lane)
-    }
-    fn axes(geometry: &Self::Geometry, lane: usize) -> [[f64; 3]; 3] {
-        geometry.field().axes(lane)
     }
     #[inline(always)]
     unsafe fn kernel<L: Lane, M: Material, const PROBE: bool>(

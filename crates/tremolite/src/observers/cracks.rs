@@ -7,7 +7,7 @@ use crate::error::RunError;
 use crate::history::History;
 use directions::{Frame, frames, widths};
 use std::collections::HashMap;
-use tremolite_engine::assembly::Assembly;
+use tremolite_engine::law_axes;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
@@ -64,7 +64,7 @@ impl Cracks {
             let cell = |(e, slot): (u32, ElementSlot)| {
                 let width = position(columns(&slot), Role::CrackWidth)?;
                 let openings = position(columns(&slot), Role::CrackOpenings);
-                let frame = frames.get(&e).map(|frame| of_law(setting.assembly, &slot, frame));
+                let frame = frames.get(&e).map(|frame| of_law(setting.model, (e, &slot), frame));
                 Some(Cell { slot, width, openings, frame })
             };
             Cracks {
@@ -85,10 +85,8 @@ fn cracking(phase: &Phase, knows: impl Fn(&ElementSlot) -> bool) -> impl Iterato
 }
 
 /// The frame of an element in the axes of its law, in which that keeps its openings.
-fn of_law(assembly: &Assembly, slot: &ElementSlot, frame: &Frame) -> Frame {
-    let member = slot.member as usize;
-    let element = slot.element as usize - assembly.slices[member].elements.start;
-    frame.within(&assembly.members[member].part.axes(element))
+fn of_law(model: &Model, (e, slot): (u32, &ElementSlot), frame: &Frame) -> Frame {
+    frame.within(&law_axes(model, &model.patches[slot.patch as usize], e))
 }
 
 /// The widest crack \[m\] of each direction in an element; `frame` in the axes of its law.
@@ -127,17 +125,12 @@ impl Observer for Cracks {
 
 impl Cracks {
     /// The widest crack \[m\] of each direction ([`CrackDirection::ALL`]) in each element of the mesh whose law tells widths, as it is open now.
-    pub fn now(
-        model: &Model,
-        assembly: &Assembly,
-        phase: &Phase,
-        history: &History,
-    ) -> HashMap<u32, [f64; ALL.len()]> {
+    pub fn now(model: &Model, phase: &Phase, history: &History) -> HashMap<u32, [f64; ALL.len()]> {
         let frames = frames(model);
         let of = |(e, slot): (u32, ElementSlot)| {
             let width = history.with_role(&slot, Role::CrackWidth)?;
             let openings = history.with_role(&slot, Role::CrackOpenings);
-            let frame = frames.get(&e).map(|frame| of_law(assembly, &slot, frame));
+            let frame = frames.get(&e).map(|frame| of_law(model, (e, &slot), frame));
             Some((e, by_direction(history, &slot, (width, openings), frame.as_ref())))
         };
         cracking(phase, |slot| history.with_role(slot, Role::CrackWidth).is_some()).filter_map(of).collect()

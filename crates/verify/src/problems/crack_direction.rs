@@ -130,7 +130,7 @@ fn widths(parts: u32, turn: f64, strained: Strained) -> Result<([f64; 4], f64, f
     }
     let seen = engine.look(&state);
     let history = History::new(&simulation.assembly, &seen.history);
-    let each = Cracks::now(&simulation.model, &simulation.assembly, &simulation.phase, &history);
+    let each = Cracks::now(&simulation.model, &simulation.phase, &history);
     let mut widest = [0.0_f64; 4];
     for widths in each.values() {
         widest.iter_mut().zip(widths).for_each(|(most, width)| *most = most.max(*width));

@@ -301,10 +301,6 @@ impl FieldShape for BrickField {
         self.turned(stress, at)
     }
 
-    fn axes(&self, lane: usize) -> [[f64; 3]; 3] {
-        self.axes.map(|axis| axis.map(|of| of.0[lane]))
-    }
-
     #[inline(always)]
     fn to_points<L: Lane>(e: &mut [[L; 8]; 6]) {
         to_nodes(&mut e[0]);

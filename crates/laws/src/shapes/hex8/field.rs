@@ -2,7 +2,7 @@
 //! coefficients, and back from their resultants to modal forces.
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
-use super::{GLOBAL, Given, Hex8, Stabilisation, Surface, to_modes, to_nodes};
+use super::{Given, Hex8, Stabilisation, Surface, to_modes, to_nodes};
 use crate::lane::{Lane, Octet};
 use crate::material::Sym;
 
@@ -65,11 +65,6 @@ pub trait FieldShape: Copy + Send + Sync + 'static {
 
     /// The inverse of [`FieldShape::global`].
     fn local<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L>;
-
-    /// Unit vectors of the axes of the strain of the element in a lane, one a row.
-    fn axes(&self, _lane: usize) -> [[f64; 3]; 3] {
-        GLOBAL
-    }
 
     /// From coefficients to values at 2×2×2 points, in place.
     fn to_points<L: Lane>(e: &mut [[L; 8]; 6]);

@@ -195,9 +195,6 @@ impl Probe {
     };
 }
 
-/// Unit vectors of x, y and z.
-pub const GLOBAL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
 /// Octets a point of what damage has left of stresses that go by the rate: V ([`Material::integrity`]), the share against
 /// hourglass modes of elements of one point, and one for whoever uses them.
 pub const LEFT: usize = 8;
