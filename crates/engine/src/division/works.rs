@@ -1,14 +1,22 @@
 //! What each patch costs in a step, sound or cracked.
 
 use crate::assembly::Assembly;
+use crate::member::Kind;
 use crate::model::Model;
 use std::collections::BTreeMap;
 use tremolite_kernels::Quadrature;
 
-/// Moving a node once, where 1 is an update of an elastic brick.
-pub(super) const MOVED: f64 = 0.25;
+/// Moving a node once, with its share in the balance, where 1 is an update of an elastic brick (some 45 ns on an EPYC). Here and below: as
+/// measured part by part in `cases/yingxiuwan/quick.toml`.
+pub(super) const MOVED: f64 = 1.0;
 /// What cracks takes this much more work once it has, of what it took sound.
-const CRACKED: f64 = 1.0;
+const CRACKED: f64 = 0.7;
+/// A pair of an interface, by each node that it pushes.
+const PAIR: f64 = 0.25;
+/// A base or another boundary, and what else is no element, by node.
+const BOUNDARY: f64 = 1.5;
+/// Elements that a kernel takes at once: a patch of one more costs as much as one of so many more.
+const LANES: usize = 8;
 /// The history by which a law is known that cracks.
 const CRACKS: &str = "d_tension";
 
@@ -23,6 +31,9 @@ pub(super) struct Works {
 
 /// Bodies that crack by themselves are cases of their own only if they have this share of all that cracks.
 const LARGE: f64 = 0.05;
+/// Parts of a body, each of which may crack while the others are sound; of all bodies together no more than [`PARTS_OF_ALL`].
+const PARTS: usize = 4;
+const PARTS_OF_ALL: usize = 12;
 
 /// What may have cracked, and how much it counts beside others; all weights are 1 together.
 struct Case {
@@ -48,6 +59,19 @@ impl Works {
                 more[p] = CRACKED * update;
             }
         }
+        for member in &assembly.members {
+            let each = match member.kind {
+                Kind::Patch(_) | Kind::Weight => continue,
+                Kind::Pairs(_) => PAIR,
+                _ => BOUNDARY,
+            };
+            // Counted where the node is: a member goes to the rank that has most of its nodes.
+            for &node in member.part.nodes() {
+                if let Some(&first) = touched[node as usize].first() {
+                    sound[levels * first as usize + usize::from(model.nodes.level[node as usize])] += each;
+                }
+            }
+        }
         for (patches, &level) in touched.iter().zip(&model.nodes.level) {
             if let Some(&first) = patches.first() {
                 sound[levels * first as usize + usize::from(level)] += MOVED;
@@ -69,10 +93,12 @@ impl Works {
         if !bodies.is_empty() {
             cases.push(case(1.0, &mut (0..more.len() as u32).map(|p| (p, 1.0))));
         }
-        if let [_, _, ..] = bodies[..] {
-            // One lining may crack before the other.
-            let share = 1.0 / bodies.len() as f64;
-            cases.extend(bodies.iter().map(|body| case(share, &mut body.iter().copied())));
+        // One lining may crack before the other, and walls before a roof.
+        let parts = (PARTS_OF_ALL / bodies.len().max(1)).clamp(1, PARTS);
+        let parts: Vec<_> = bodies.iter().flat_map(|body| body.chunks(body.len().div_ceil(parts))).collect();
+        if let [_, _, ..] = parts[..] {
+            let share = 1.0 / parts.len() as f64;
+            cases.extend(parts.iter().map(|part| case(share, &mut part.iter().copied())));
         }
         let whole: f64 = cases.iter().map(|case| case.weight).sum();
         cases.iter_mut().for_each(|case| case.weight /= whole);
@@ -143,17 +169,16 @@ fn connected(model: &Model, more: &[f64]) -> Vec<Vec<(u32, f64)>> {
     bodies.filter(|body| work(body) >= LARGE * whole).collect()
 }
 
-/// One update of a patch, where 1 is that of an elastic brick. What points and columns of their history
-/// cost is about what docs/performance.md has measured.
+/// One update of a patch, where 1 is that of an elastic brick. What points and columns of their history cost was measured.
 fn update(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
     let part = &assembly.members[assembly.of_patch[patch] as usize].part;
     let patch = &model.patches[patch];
     let (elements, points) = part.elements();
     let of_point = match model.bodies[patch.body].quadrature {
-        Quadrature::Layered(_) => 0.9,
+        Quadrature::Layered(_) => 0.65,
         Quadrature::OnePoint | Quadrature::Full => 1.0,
     };
-    let element = 0.6 + points as f64 * of_point * (0.4 + 0.03 * part.columns().len() as f64);
-    let shape = if patch.bricks || points > 1 { 1.0 } else { 1.5 };
-    elements as f64 * element * shape
+    let element = 0.9 + points as f64 * of_point * (0.06 + 0.022 * part.columns().len() as f64);
+    let shape = if patch.bricks || points > 1 { 1.0 } else { 1.6 };
+    elements.next_multiple_of(LANES) as f64 * element * shape
 }

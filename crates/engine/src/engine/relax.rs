@@ -36,7 +36,7 @@ use crate::state::{Relaxing, State};
 use crate::sums::tree;
 use rayon::prelude::*;
 use tremolite_laws::Row;
-use tremolite_laws::shapes::hex8::element_frequencies;
+use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
 
 /// How a state is brought to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -195,26 +195,38 @@ fn length(row: Row) -> f64 {
 pub fn masses(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<f64> {
     let mut masses = vec![0.0; phase.master.len()];
     let mut add = |node: u32, mass: f64| masses[phase.master[node as usize] as usize] += mass;
-    for &m in &phase.active {
-        let member = &assembly.members[m as usize];
-        for &(node, stiffness) in &member.springs {
-            add(node, 2.0 * stiffness / (COURANT * COURANT));
-        }
-        let Some(patch) = member.kind.patch().map(|patch| &model.patches[patch]) else { continue };
-        let body = &model.bodies[patch.body];
-        // `Assembly::new` has checked every element.
-        let own = || patch.elements.iter().filter_map(|&e| Some((e, hex(&model.mesh, e as usize).ok()?)));
-        let shapes: Vec<_> = own().map(|(_, hex)| hex).collect();
-        let omegas = element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
-        for ((element, hex), omega) in own().zip(omegas) {
-            let density = body.density * (omega / COURANT).powi(2);
-            let nodes = crate::hexahedra::hex_nodes(&model.mesh, element as usize);
-            for (node, volume) in nodes.into_iter().zip(hex.corner_volumes) {
-                add(model.engine_node[node as usize], density * volume);
+    // Shapes side by side, some members at a time; added in the order of members.
+    for some in phase.active.chunks(MEMBERS_AT_ONCE) {
+        let of_patches: Vec<_> = some.par_iter().map(|&m| patch_masses(model, assembly, m)).collect();
+        for (&m, of_patch) in some.iter().zip(of_patches) {
+            for &(node, stiffness) in &assembly.members[m as usize].springs {
+                add(node, 2.0 * stiffness / (COURANT * COURANT));
             }
+            of_patch.into_iter().for_each(|(node, mass)| add(node, mass));
         }
     }
     masses
+}
+
+/// Members whose masses are found at once: so many bound the room that these take.
+const MEMBERS_AT_ONCE: usize = 256;
+
+/// The same of a patch's elements at their nodes, element by element; none of another member.
+fn patch_masses(model: &Model, assembly: &Assembly, member: u32) -> Vec<(u32, f64)> {
+    let Some(patch) = assembly.members[member as usize].kind.patch() else { return Vec::new() };
+    let patch = &model.patches[patch];
+    let body = &model.bodies[patch.body];
+    // `Assembly::new` has checked every element.
+    let own = patch.elements.iter().filter_map(|&e| Some((e, hex(&model.mesh, e as usize).ok()?)));
+    let (elements, shapes): (Vec<u32>, Vec<_>) = own.unzip();
+    let omegas = element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
+    let of_element = |((&element, hex), omega): ((&u32, &Hex8), f64)| {
+        let density = body.density * (omega / COURANT).powi(2);
+        let nodes = crate::hexahedra::hex_nodes(&model.mesh, element as usize);
+        let engine_nodes = nodes.map(|node| model.engine_node[node as usize]);
+        std::iter::zip(engine_nodes, hex.corner_volumes.map(|volume| density * volume))
+    };
+    elements.iter().zip(&shapes).zip(omegas).flat_map(of_element).collect()
 }
 
 impl Engine {

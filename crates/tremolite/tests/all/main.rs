@@ -23,6 +23,7 @@ mod hole;
 mod job;
 mod layered;
 mod levels;
+mod levels_calls;
 mod matched_motion;
 mod oblique;
 mod observers;
