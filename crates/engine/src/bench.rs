@@ -72,7 +72,7 @@ pub enum BenchError {
     Model(#[from] ModelError),
     #[error("threads could not be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-    #[error("the run became unstable: {0:?}")]
+    #[error("the box became unstable by {} s: it moves with {:.3e} J, and {:.3e} J were put in", .0.time, .0.found, .0.supplied)]
     Halt(Halt),
 }
 
@@ -180,8 +180,10 @@ pub fn run(bench: &BoxBench) -> Result<Timing, BenchError> {
         }
         let seconds = begin.elapsed().as_secs_f64();
         let elements = model.user.elements;
+        // The box begins with a jump of velocity, of which the scheme's own part is as large as what is put in; where concrete cracks
+        // in the first step that part stays in no line of the balance, so the motion alone is judged.
+        engine.watch(&state).map_err(BenchError::Halt)?;
         let seen = engine.finish(&mut state);
-        engine.guard(&seen).map_err(BenchError::Halt)?;
         let kinetic = seen.balance[Line::Kinetic];
         Ok(Timing {
             elements,
