@@ -252,6 +252,7 @@ pub const TEXTS: Texts = &[
         "钢筋内侧 {inner}、外侧 {outer} mm²/m，钢筋轴线距表面 {near} 与 {far} mm",
     ),
     ("{title} (thickness × {factor})", "{title}（厚度 × {factor}）"),
+    ("thickness of linings × {factor}", "衬砌厚度 × {factor}"),
     (
         "{answer} Concrete is crushed or sheared in up to {share} of a lining's volume.",
         "{answer}混凝土压碎或剪坏，最多占一个衬砌体积的 {share}。",

@@ -1,7 +1,8 @@
 //! Materials, damping, boundaries and stages in a line each.
 
-use tremolite_results::{Border, EFFECTIVE, LiningExtent, MaterialValue, SectionStrength, Summary};
+use tremolite_results::{Border, EFFECTIVE, LiningExtent, SectionStrength, Summary};
 
+use crate::damage::rates::STATIC;
 use crate::drawing::plot::range;
 use crate::facts::materials;
 use crate::facts::{Fact, card};
@@ -205,15 +206,6 @@ fn on_rock(source: &Source, summary: &Summary) -> Option<Fact> {
     }
     let all: Vec<String> = interfaces.iter().map(|(name, of)| format!("{name} ({})", of.law)).collect();
     Some(card(say!(language, "Interfaces"), all.join(&say!(language, "; ")), ""))
-}
-
-/// The rate law of a strength that does not go by the rate.
-const STATIC: &str = "none";
-
-/// Whether some material is stronger the faster it is strained.
-pub fn goes_by_rate(summary: &Summary) -> bool {
-    let grows = |value: &MaterialValue| value.name == "rate" && value.word != STATIC;
-    summary.computed.materials.values().any(|facts| facts.values.iter().any(grows))
 }
 
 /// What the model is, line by line.

@@ -71,8 +71,17 @@ fn refuse_formulas(mesh: &case::Mesh, built: &Mesh, problems: &mut Vec<Diagnosti
 fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Option<Built> {
     let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
-            let made = spec(caverns).mesh_with_notes();
-            let made = made.map_err(|e| (place(caverns, e.subject()), e.to_string()));
+            let spec = spec(caverns);
+            let made = spec.mesh_with_notes().map_err(|e| {
+                let message = e.to_string();
+                let message = match (spec.near_that_does(&e), message.rsplit_once("; ")) {
+                    (Some(near), Some((what, remedy))) => {
+                        format!("{what}; `near = \"{near} m\"` would do, or {remedy}")
+                    }
+                    _ => message,
+                };
+                (place(caverns, &e.subject()), message)
+            });
             (made, &caverns.span, "change the description of the caverns if this is not meant")
         }
         case::Mesh::Box(bricks) => {
@@ -95,12 +104,26 @@ fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<D
         }
     };
     match made {
-        Ok((mesh, notes)) => {
-            let warning = |note: &Note| Diagnostic::new(span.clone(), note.to_string(), remedy);
+        Ok((built, notes)) => {
+            let at = |note: &Note| match (mesh, note) {
+                (case::Mesh::Caverns(caverns), Note::MovedCut { cavern, .. }) => {
+                    place(caverns, &format!("{cavern}.benches"))
+                }
+                (case::Mesh::Caverns(caverns), Note::Stepped { layer }) => {
+                    place(caverns, &format!("layer {layer}.depth"))
+                }
+                _ => span.clone(),
+            };
+            let warning = |note: &Note| Diagnostic::new(at(note), note.to_string(), remedy);
             let (doubled, notes): (Vec<Note>, Vec<Note>) =
                 notes.into_iter().partition(|note| matches!(note, Note::Coincident { .. }));
             let doubled = doubled.first().map(warning);
-            Some(Built { mesh, warnings: notes.iter().map(warning).collect(), doubled, taken: Vec::new() })
+            Some(Built {
+                mesh: built,
+                warnings: notes.iter().map(warning).collect(),
+                doubled,
+                taken: Vec::new(),
+            })
         }
         Err((span, message)) => {
             // Errors of the mesh crate end with the way out.
@@ -160,6 +183,10 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
         "near" => c.near.span.clone(),
         "far" => c.far.span.clone(),
         "along" => along.unwrap_or(&c.span).clone(),
+        "ground" => match &c.ground {
+            Some(case::GroundSurface::Slope(slope)) => slope.span.clone(),
+            _ => c.span.clone(),
+        },
         _ => c.span.clone(),
     }
 }
@@ -286,11 +313,11 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
         for (from, to, marked, remedy) in [
             ("crown = \"0.9 m\"", "crown = \"9 m\"", "\"9 m\"", "half the width"),
             ("crown = \"0.9 m\" }", "crown = \"0.9 m\" }\nshotcrete = \"7 m\"", "\"7 m\"", "half the width"),
-            ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"hall\"", "`overburden`"),
+            ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"0.1 m\"", "raise `overburden` by 4.4 m"),
             ("arch_rise = ", "length = \"2 m\"\narch_rise = ", "\"2 m\"", "`along`"),
             ("arch_rise = ", "length = \"28 m\"\narch_rise = ", "\"28 m\"", "rock"),
             ("arch_rise = ", "length = \"9 m\"\nmiddle = \"11 m\"\narch_rise = ", "\"11 m\"", "rock"),
-            ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "[mesh.caverns]", "raise `near`"),
+            ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "\"1e-9 m\"", "raise `along`"),
         ] {
             let source = CAVERNS.replace(from, to);
             let alone = MeshAlone::parse(Path::new("mesh.toml"), &source);
