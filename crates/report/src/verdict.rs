@@ -270,6 +270,7 @@ fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
         let called = |name: &str| match name {
             "crown" => say!(language, "crown"),
             "walls" => say!(language, "walls"),
+            "floor" => say!(language, "floor"),
             other => other.to_owned(),
         };
         let told: Vec<String> =
