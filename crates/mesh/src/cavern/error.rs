@@ -51,6 +51,7 @@ impl CavernError {
             Self::TooNearToEdge { key, .. } | Self::Grading { key, .. } => (*key).to_owned(),
             Self::TooClose { second, .. } => format!("{second}.at"),
             Self::Name { name, .. } | Self::Gallery { gallery: name, .. } => name.clone(),
+            Self::Poor { cavern, limit, .. } if *limit == LEAST_JACOBIAN[1] => format!("{cavern}.lining"),
             Self::Poor { .. } | Self::GalleryRows { .. } => "near".to_owned(),
             Self::TooMany { near, along, .. } => if along < near { "along" } else { "near" }.to_owned(),
             Self::LowGround { .. } => "overburden".to_owned(),

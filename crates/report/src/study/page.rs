@@ -11,7 +11,7 @@ use super::fragility::{caption, limit, over, word};
 use super::paper::{measured, told};
 use crate::language::{Language, say};
 use crate::page::templates::{STYLE, environment, markup};
-use crate::quantities::scale::quantity;
+use crate::quantities::scale::{figures, trimmed};
 
 const TEMPLATE: &str = include_str!("../../template/study.html");
 
@@ -303,9 +303,9 @@ fn held(language: Language, limit: Option<&StudyLimit>) -> Cell {
         Some(false) => ("fail", say!(language, "not met")),
         None => ("", say!(language, "not known")),
     };
-    // Lengths are told in millimetres, as on the page of a run.
+    // Widths and displacements are told in millimetres.
     let size = |x: f64| match limit.unit.as_str() {
-        "m" => quantity("m", x),
+        "m" => format!("{}\u{a0}mm", trimmed(&figures(1e3 * x, 3))),
         _ => told(x),
     };
     let note = match limit.found {

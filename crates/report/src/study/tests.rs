@@ -156,8 +156,8 @@ fn runs_lead_to_their_pages_and_tell_whether_their_limits_are_met() {
     for says in [
         "<a href=\"runs&#x2f;s1%20%231&#x2f;results&#x2f;report.html\">",
         "<th>Crack width</th><th>Utilisation of a section</th>",
-        "<td class=\"pass\">met <span class=\"note\">120 µm, ≤ 300 µm</span>",
-        "<td class=\"fail\">not met <span class=\"note\">450 µm, ≤ 300 µm</span>",
+        "<td class=\"pass\">met <span class=\"note\">0.12 mm, ≤ 0.3 mm</span>",
+        "<td class=\"fail\">not met <span class=\"note\">0.45 mm, ≤ 0.3 mm</span>",
         "<td class=\"fail\">not met <span class=\"note\">∞, ≤ 1</span>",
         "1 of 3 runs with results meet all limits of acceptance of their case",
     ] {

@@ -74,13 +74,16 @@ fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<D
             let spec = spec(caverns);
             let made = spec.mesh_with_notes().map_err(|e| {
                 let message = e.to_string();
-                let message = match (spec.near_that_does(&e), message.rsplit_once("; ")) {
-                    (Some(near), Some((what, remedy))) => {
-                        format!("{what}; `near = \"{near} m\"` would do, or {remedy}")
+                let does = spec.size_that_does(&e);
+                let message = match (&does, message.rsplit_once("; ")) {
+                    (Some((key, size)), Some((what, remedy))) => {
+                        let key = key.split_once('.').map_or(key.as_str(), |(_, own)| own);
+                        format!("{what}; `{key} = \"{size} m\"` would do, or {remedy}")
                     }
                     _ => message,
                 };
-                (place(caverns, &e.subject()), message)
+                let subject = does.map_or_else(|| e.subject(), |(key, _)| key);
+                (place(caverns, &subject), message)
             });
             (made, &caverns.span, "change the description of the caverns if this is not meant")
         }
@@ -151,6 +154,7 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
             "benches" => cavern.benches.span.clone(),
             "shotcrete" => sprayed.map_or(cavern.span.clone(), |s| s.thickness.span.clone()),
             "shotcrete_layers" => sprayed.map_or(cavern.span.clone(), |s| s.layers.span.clone()),
+            "lining" => lining.map_or(cavern.span.clone(), |l| l.walls.span.clone()),
             "lining.walls" => lining.map_or(cavern.span.clone(), |l| l.walls.span.clone()),
             "lining.crown" => lining.map_or(cavern.span.clone(), |l| l.crown.span.clone()),
             "lining.floor" => lining.map_or(cavern.span.clone(), |l| l.floor.span.clone()),
