@@ -112,8 +112,9 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     let Place { element, at: centre } = place(element);
     let rows = Watch::rows(history.assembly(), phase);
     let of_direction = |k: usize| {
-        let row = |e: &u32| rows.get(e).filter(|_| Watch::tells_directions(memory));
-        let own = || group.elements.iter().filter_map(|e| Some((*e, Watch::remembered(memory, *row(e)?)[k])));
+        let remembered = Watch::remembered(memory);
+        let row = |e: &u32| rows.get(e).filter(|_| !remembered.is_empty());
+        let own = || group.elements.iter().filter_map(|e| Some((*e, Watch::opened(remembered, *row(e)?)[k])));
         let (element, most) = own().max_by(|a, b| a.1.widest.total_cmp(&b.1.widest))?;
         let Place { element, at } = place(element);
         Some(Opened {

@@ -137,29 +137,28 @@ impl Cracks {
         cracking(phase, |slot| history.with_role(slot, Role::CrackWidth).is_some()).filter_map(of).collect()
     }
 
-    /// Which row of what is remembered by direction an element of the mesh has, for [`Cracks::remembered`].
+    /// Which row of what is remembered by direction an element of the mesh has, for [`Cracks::opened`].
     pub fn rows(assembly: &Assembly, phase: &Phase) -> HashMap<u32, usize> {
         let columns = |slot: &ElementSlot| assembly.members[slot.member as usize].part.columns();
         let slots = cracking(phase, |slot| position(columns(slot), Role::CrackWidth).is_some());
         slots.enumerate().map(|(row, (e, _))| (e, row)).collect()
     }
 
-    /// What was remembered by direction, in the order of [`CrackDirection::ALL`], in a row of [`Cracks::rows`]; no crack where nothing was.
-    pub fn remembered(memory: &Memory, row: usize) -> [Opened; ALL.len()] {
-        let mut all = [Opened::default(); ALL.len()];
+    /// What was remembered by direction, for [`Cracks::opened`]; empty where nothing was.
+    pub fn remembered(memory: &Memory) -> &[f64] {
+        memory.get(DIRECTIONS).map_or(&[], Vec::as_slice)
+    }
+
+    /// How far an element has opened in each direction, in the order of [`CrackDirection::ALL`], by its row of [`Cracks::rows`] in what was
+    /// remembered; no crack where nothing was.
+    pub fn opened(remembered: &[f64], row: usize) -> [Opened; ALL.len()] {
         let each = EACH * ALL.len();
-        let own = memory.get(DIRECTIONS).and_then(|rows| rows.get(row * each..(row + 1) * each));
-        for (opened, [widest, time, last]) in
-            all.iter_mut().zip(own.unwrap_or_default().as_chunks::<EACH>().0)
-        {
+        let own = remembered.get(row * each..(row + 1) * each).unwrap_or_default();
+        let mut all = [Opened::default(); ALL.len()];
+        for (opened, [widest, time, last]) in all.iter_mut().zip(own.as_chunks::<EACH>().0) {
             *opened = Opened { widest: *widest, time: *time, last: *last };
         }
         all
-    }
-
-    /// Whether anything was remembered by direction.
-    pub fn tells_directions(memory: &Memory) -> bool {
-        memory.contains_key(DIRECTIONS)
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {

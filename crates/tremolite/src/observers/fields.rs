@@ -231,8 +231,9 @@ impl FieldGrid {
     /// The widest crack so far of those that cross bars, and which way the widest of all runs: a number of [`CrackDirection`], 0 without a crack.
     fn add_directions(&self, grid: &mut Grid, view: &View, memory: &Memory) {
         let rows = Cracks::rows(view.assembly, view.phase);
+        let remembered = Cracks::remembered(memory);
         let each = self.elements.iter().map(|e| {
-            let opened = rows.get(e).map(|&row| Cracks::remembered(memory, row)).unwrap_or_default();
+            let opened = rows.get(e).map(|&row| Cracks::opened(remembered, row)).unwrap_or_default();
             let all = CrackDirection::ALL.into_iter().zip(opened.map(|of| of.widest));
             let across = all.clone().filter(|(way, _)| way.crosses_bars()).map(|(_, width)| width);
             // Of equal ones the first.

@@ -140,9 +140,10 @@ impl Growth {
                 let widest = memory.get(Cracks::OPENING);
                 let of_cell = |cell: &Cell| widest.map_or(0.0, |w| w[cell.slot.element as usize]);
                 row.push(part.cells.iter().map(of_cell).fold(0.0, f64::max));
+                let remembered = Cracks::remembered(memory);
                 let mut each = [0.0_f64; CrackDirection::ALL.len()];
                 for own in part.cells.iter().filter_map(|cell| cell.row) {
-                    let opened = Cracks::remembered(memory, own);
+                    let opened = Cracks::opened(remembered, own);
                     each.iter_mut().zip(opened).for_each(|(most, of)| *most = most.max(of.widest));
                 }
                 row.extend(each);
