@@ -218,6 +218,10 @@ pub enum Role {
     MeanDamage,
     /// The largest mean damage so far.
     MeanDamagePeak,
+    /// How many times the strength in tension was its static one at first damage in tension, since the point was strained fast; 0 before.
+    TensionRateFactor,
+    /// The same of the strength in compression at first damage in shear or compression.
+    ShearRateFactor,
     /// Extent \[m\] across the crack, from first damage on.
     CrackExtent,
     /// Width \[m\] of the widest crack as it is open now, across the element's extent along the crack's present normal.

@@ -40,6 +40,7 @@ mod strata;
 mod stretch;
 #[cfg(test)]
 mod tests;
+mod trial;
 mod tube;
 mod wall;
 

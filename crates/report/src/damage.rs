@@ -4,6 +4,7 @@ pub mod crack_widths;
 mod developed_maps;
 pub mod growth;
 pub mod maps;
+pub mod rates;
 mod thickened;
 
 use serde::Serialize;

@@ -41,7 +41,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tremolite_results::replace_file;
+use indexmap::IndexMap;
+use tremolite_results::study::StudyLimit;
+use tremolite_results::{ResultFolder, Summary, replace_file};
 
 pub use crate::compare::compare;
 pub use crate::drawing::convergence;
@@ -51,6 +53,7 @@ pub use crate::input::processing;
 pub use crate::language::Language;
 use crate::page::contents::Content;
 use crate::script::blocks::Blocks;
+use crate::sheets::limits::LimitRow;
 use crate::source::Source;
 pub use crate::study::study;
 
@@ -107,6 +110,20 @@ pub fn write_held(
         summary.case.report.limits = limits.into_iter().collect();
     }
     set(&source)
+}
+
+/// The limits of acceptance of the case whose results are in `dir`, by their keys, beside what was found, as the page's first sheet has them; none
+/// where it gives none.
+///
+/// # Errors
+/// If `dir` holds no results, or no summary of them.
+pub fn limits(dir: &Path) -> Result<IndexMap<String, StudyLimit>, Error> {
+    // Most runs have none, and need not be read.
+    if Summary::read(&ResultFolder::open_existing(dir)?.summary())?.case.report.limits.is_empty() {
+        return Ok(IndexMap::new());
+    }
+    let source = Source::read(dir, Some(Language::English))?;
+    Ok(sheets::limits::rows(&source, &source.facts()).into_iter().map(LimitRow::told).collect())
 }
 
 fn set(source: &Source) -> Result<PathBuf, Error> {

@@ -13,6 +13,7 @@ use serde::Serialize;
 use tremolite_results::{Defaulted, Summary};
 
 use crate::damage::crack_widths::width_by_mesh;
+use crate::damage::rates::{RateRow, rates};
 use crate::damage::{self, CrackRow, DamageTable};
 use crate::facts::key_results::key_results;
 use crate::facts::materials::{self, MaterialTable};
@@ -98,6 +99,7 @@ struct Shaking {
 struct Damage {
     tables: Vec<DamageTable>,
     cracks: Vec<CrackRow>,
+    rates: Vec<RateRow>,
     /// What is to be said beside widths of cracks.
     width_by_mesh: String,
 }
@@ -150,6 +152,7 @@ pub fn html(
         damage: Damage {
             tables: damage::tables(language, &summary),
             cracks: damage::cracks(source, &summary),
+            rates: rates(language, &summary),
             width_by_mesh: width_by_mesh(language),
         },
         interfaces: interfaces::table(source, &summary),

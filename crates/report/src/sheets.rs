@@ -2,7 +2,7 @@
 //! checks that warn, and the limits of the method.
 
 mod earthquake;
-mod limits;
+pub mod limits;
 mod model;
 mod parts;
 
@@ -12,6 +12,7 @@ use tremolite_results::Summary;
 
 use crate::chapter::figure::Figure;
 use crate::chapter::text_table::TextTable;
+use crate::damage::rates::{goes_by_rate, stronger};
 use crate::facts::{self, Check, Fact};
 use crate::language::{Language, say};
 use crate::page::contents::{Content, Placed};
@@ -219,11 +220,15 @@ fn method(source: &Source, summary: &Summary) -> Vec<String> {
             ),
         },
     ];
-    if source.shakes() && model::goes_by_rate(summary) {
-        all.push(say!(
+    if source.shakes() && goes_by_rate(summary) {
+        let first = say!(
             language,
             "Concrete that is strained fast is stronger: thrust and moment may exceed what its static strength allows."
-        ));
+        );
+        all.push(match stronger(language, summary) {
+            Some(told) => say!(language, "{first} {second}", first = first, second = told),
+            None => first,
+        });
     }
     if summary.parts.sections.values().any(|of| !of.yields) {
         all.push(say!(

@@ -3,6 +3,7 @@
 pub mod short_names;
 mod strength;
 pub mod surroundings;
+mod widest;
 
 use serde::Serialize;
 use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary};
@@ -14,6 +15,7 @@ use crate::source::Source;
 use crate::source::monitor_pairs::held;
 use crate::verdict::short_names::{CHECK, NAME, percent, short};
 use crate::verdict::surroundings::{around, of_rock, yielded};
+use crate::verdict::widest::widest;
 
 /// Lines that the verdict may have.
 const LINES: usize = 5;
@@ -53,7 +55,7 @@ pub fn verdict(source: &Source) -> Verdict {
     lines.extend(linings.iter().take(ALONE).map(|finding| in_full(source, &facts, finding)));
     if let [next, ..] = linings.get(ALONE..).unwrap_or_default() {
         let count = linings.len() - ALONE;
-        let next = lining(source, next);
+        let next = lining(source, &facts, next);
         let text = say!(
             language,
             "{count} more structures, none worse; of these {worst}",
@@ -252,7 +254,7 @@ fn within(room: usize, mut lines: Vec<(Severity, String)>, language: Language) -
 /// A lining's cracks, those of its parts, and what of them was there before the earthquake.
 fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
     let language = source.language;
-    let mut line = lining(source, finding);
+    let mut line = lining(source, facts, finding);
     let cracked = |group: &GroupDamage| Some(group.measures.get(CRACKED)?.beyond.get("0.5")? / group.volume);
     let of_whole = facts.parts.damage.get(&finding.group).and_then(cracked);
     let inside = format!("{}.", finding.group);
@@ -268,6 +270,7 @@ fn in_full(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
         let called = |name: &str| match name {
             "crown" => say!(language, "crown"),
             "walls" => say!(language, "walls"),
+            "floor" => say!(language, "floor"),
             other => other.to_owned(),
         };
         let told: Vec<String> =
@@ -297,7 +300,7 @@ fn before(source: &Source, group: &str) -> Option<f64> {
 }
 
 /// A lining's cracks.
-fn lining(source: &Source, finding: &Finding) -> VerdictLine {
+fn lining(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
     let language = source.language;
     let number = |name: &str| finding.numbers.get(name).copied().filter(|x| x.is_finite());
     let group = &short(&finding.group, NAME);
@@ -309,24 +312,23 @@ fn lining(source: &Source, finding: &Finding) -> VerdictLine {
         }
         (_, Some(cracked)) => {
             let cracked = percent(cracked);
-            let opening = number("crack_opening").map(|x| opening(source, x));
-            match (number("through").filter(|n| *n > 0.0), number("places"), opening) {
-                (Some(through), Some(places), Some(opening)) => say!(
+            let widest = widest(source, facts, finding);
+            match (number("through").filter(|n| *n > 0.0), number("places"), widest) {
+                (Some(through), Some(places), Some(widest)) => say!(
                     language,
-                    "{group}: cracked in {cracked} of its volume, through the thickness at {through} of {places} places; \
-                     widest crack {opening}.",
+                    "{group}: cracked in {cracked} of its volume, through the thickness at {through} of {places} places; {widest}.",
                     group = group,
                     cracked = cracked,
                     through = through,
                     places = places,
-                    opening = opening
+                    widest = widest
                 ),
-                (_, _, Some(opening)) => say!(
+                (_, _, Some(widest)) => say!(
                     language,
-                    "{group}: cracked in {cracked} of its volume, nowhere through the thickness; widest crack {opening}.",
+                    "{group}: cracked in {cracked} of its volume, nowhere through the thickness; {widest}.",
                     group = group,
                     cracked = cracked,
-                    opening = opening
+                    widest = widest
                 ),
                 _ => say!(
                     language,
@@ -352,13 +354,6 @@ fn lining(source: &Source, finding: &Finding) -> VerdictLine {
 /// Whether a lining's cracks opened so far that pieces have come loose.
 fn is_loose(lining: &Finding) -> bool {
     lining.numbers.get("crack_opening").is_some_and(|opening| *opening > Cracks::LOOSE)
-}
-
-fn opening(source: &Source, value: f64) -> String {
-    match value > Cracks::LOOSE {
-        true => format!(">\u{a0}{}", source.quantity(Kind::Opening, Cracks::LOOSE)),
-        false => source.quantity(Kind::Opening, value),
-    }
 }
 
 /// The pair of monitors that moved apart most, of those that did not come loose.

@@ -105,6 +105,42 @@ impl CrackDirection {
         CrackDirection::Parallel,
         CrackDirection::Unplaced,
     ];
+
+    /// The column of `damage.csv` with the widest crack so far that runs this way.
+    pub const fn column(self) -> &'static str {
+        match self {
+            CrackDirection::Longitudinal => "crack_longitudinal",
+            CrackDirection::Ring => "crack_ring",
+            CrackDirection::Parallel => "crack_parallel",
+            CrackDirection::Unplaced => "crack_unplaced",
+        }
+    }
+
+    /// What that column means.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            CrackDirection::Longitudinal => {
+                "widest crack so far along the cavern, across the bars round the ring"
+            }
+            CrackDirection::Ring => "widest crack so far round the ring, across the bars along the axis",
+            CrackDirection::Parallel => {
+                "widest crack so far parallel to the wall, which no bar of the section crosses"
+            }
+            CrackDirection::Unplaced => {
+                "widest crack so far where walls meet, which counts as one across bars"
+            }
+        }
+    }
+
+    /// Whether bars of the section cross it: all but those parallel to the wall.
+    pub fn crosses_bars(self) -> bool {
+        self != CrackDirection::Parallel
+    }
+
+    /// Its number in the field `crack_direction`, where 0 is no crack.
+    pub const fn number(self) -> u8 {
+        1 + self as u8
+    }
 }
 
 /// Cracks of one direction in a group of elements.
@@ -160,7 +196,7 @@ impl Cracks {
     /// The widest crack of those that cross bars: all but those parallel to the wall. None in files of older versions, which do not tell
     /// directions.
     pub fn across(&self) -> Option<&Opened> {
-        let crosses = |of: &&Opened| of.direction != CrackDirection::Parallel;
+        let crosses = |of: &&Opened| of.direction.crosses_bars();
         self.directions.iter().filter(crosses).max_by(|a, b| a.opening.total_cmp(&b.opening))
     }
 
@@ -197,6 +233,33 @@ pub struct Damaged {
     pub largest: f64,
     /// Where it first rose above zero; none if it never did.
     pub first: Option<Onset>,
+    /// How many times the strength was its static one where it was damaged, 1 of a law that is the same at any rate; none where nothing was damaged,
+    /// of measures that know no strength, and in files of older versions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rate: Option<RateFactor>,
+}
+
+/// How many times the strength of concrete was its static one when points of a group were first damaged, since they were strained fast.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct RateFactor {
+    /// Largest at a point.
+    #[serde(with = "number", default = "number::absent")]
+    pub largest: f64,
+    /// Its element.
+    pub at: Place,
+    /// Mean over the volume that is damaged.
+    #[serde(with = "number", default = "number::absent")]
+    pub mean: f64,
+    /// Largest at a point of the element in which damage began ([`Damaged::first`]); no number where that is not known.
+    #[serde(with = "number", default = "number::absent", skip_serializing_if = "number::is_absent")]
+    pub first: f64,
+}
+
+impl Default for RateFactor {
+    fn default() -> Self {
+        RateFactor { largest: f64::NAN, at: Place::default(), mean: f64::NAN, first: f64::NAN }
+    }
 }
 
 /// Where and when something began.

@@ -75,7 +75,9 @@ pub use bolts::{BOLT_COLUMNS, BoltColumn, BoltRow, BoltWriter, EARTHQUAKE, read_
 pub use by_name::halves;
 pub use column::{Column, Subject};
 pub use cut::{Cut, CutCell};
-pub use damage::{CrackDirection, Cracks, Damaged, Finding, GroupDamage, Onset, Opened, Place, Severity};
+pub use damage::{
+    CrackDirection, Cracks, Damaged, Finding, GroupDamage, Onset, Opened, Place, RateFactor, Severity,
+};
 pub use error::Error;
 pub use field_file::{FieldCell, FieldFile, Scalar};
 pub use fields::Fields;

@@ -4,6 +4,7 @@
 use std::fs;
 use std::path::Path;
 
+use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::{Error, Said, replace_file};
@@ -111,6 +112,26 @@ pub struct StudyRun {
     pub why: String,
     /// The program that ran it.
     pub program: String,
+    /// Its page, from the study's folder; empty where there is none, and in files of older versions.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub page: String,
+    /// Limits of acceptance of its case, by their keys, beside what was found; empty where it gives none, has no results, or the study goes on.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub limits: IndexMap<String, StudyLimit>,
+}
+
+/// A limit of acceptance of a run, and whether it is met.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct StudyLimit {
+    /// SI.
+    pub limit: f64,
+    /// What was found, SI; none where that is not known or has no bound.
+    pub found: Option<f64>,
+    /// None where the results do not tell.
+    pub met: Option<bool>,
+    /// Of both; `1` for shares.
+    pub unit: String,
 }
 
 /// Results over records of one sample at one level.

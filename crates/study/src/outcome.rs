@@ -31,6 +31,11 @@ impl RunFolder {
         self.0.join("results")
     }
 
+    /// The page of its results, as it is named from the study's folder.
+    pub fn page(name: &str) -> String {
+        format!("runs/{name}/results/report.html")
+    }
+
     /// What the program said.
     pub fn log(&self) -> PathBuf {
         self.0.join("run.log")

@@ -5,6 +5,7 @@ mod influence;
 
 use std::path::Path;
 
+use indexmap::IndexMap;
 use tremolite_case::Language;
 use tremolite_case::study::{Quantity, StudyFile};
 use tremolite_results::study::{OverRecords, RunStatus, Study, StudyColumn, StudyRun};
@@ -60,7 +61,9 @@ pub fn gather(study: &StudyFile, plan: &Plan, prepared: &[Prepared], out: &Path)
             }
         });
         let measures = numbers.collect();
-        runs.push(row(study, plan, run, prepared, outcome, measures));
+        let page = RunFolder::page(&run.name);
+        let page = if outcome.has_ended() && out.join(&page).exists() { page } else { String::new() };
+        runs.push(StudyRun { page, ..row(study, plan, run, prepared, outcome, measures) });
     }
     end_chains(study, plan, &mut runs);
     let plain = |name: &str, unit: Option<String>| StudyColumn {
@@ -120,6 +123,8 @@ fn row(
         status: outcome.status,
         why: outcome.why,
         program: outcome.program,
+        page: String::new(),
+        limits: IndexMap::new(),
     }
 }
 
@@ -142,6 +147,7 @@ fn end_chains(study: &StudyFile, plan: &Plan, runs: &mut [StudyRun]) {
                 status: RunStatus::NotNeeded,
                 measures: vec![None; row.measures.len()],
                 why: String::new(),
+                page: String::new(),
                 ..row.clone()
             };
         } else if ends_chain(study, row) {
@@ -186,6 +192,12 @@ fn over_records(study: &Study, records: usize) -> Vec<OverRecords> {
     found
 }
 
+/// All limits of acceptance that runs were held to, with their units, in the order in which they come.
+fn limits(study: &Study) -> IndexMap<&str, &str> {
+    let all = study.runs.iter().flat_map(|run| &run.limits);
+    all.map(|(name, of)| (name.as_str(), of.unit.as_str())).collect()
+}
+
 /// The runs as a table of comma-separated columns.
 pub fn csv(study: &Study) -> String {
     let with_unit = |c: &StudyColumn| match &c.unit {
@@ -196,6 +208,11 @@ pub fn csv(study: &Study) -> String {
     headers.extend(study.parameters.iter().map(with_unit));
     headers.extend(study.intensities.iter().map(with_unit));
     headers.extend(study.measures.iter().map(with_unit));
+    let limits = limits(study);
+    for (name, unit) in &limits {
+        headers.push(if *unit == "1" { format!("limits.{name}") } else { format!("limits.{name} [{unit}]") });
+        headers.push(format!("limits.{name}.met"));
+    }
     headers.extend(["status", "why", "program"].map(str::to_owned));
     let number = |x: &Option<f64>| x.map_or_else(String::new, |x| x.to_string());
     let rows: Vec<Vec<String>> = study
@@ -214,6 +231,11 @@ pub fn csv(study: &Study) -> String {
             );
             row.extend(run.intensities.iter().map(number));
             row.extend(run.measures.iter().map(number));
+            for (name, _) in &limits {
+                let of = run.limits.get(*name);
+                row.push(number(&of.and_then(|of| of.found)));
+                row.push(of.and_then(|of| of.met).map_or_else(String::new, |met| met.to_string()));
+            }
             row.extend([run.status.word().to_owned(), run.why.clone(), run.program.clone()]);
             row
         })

@@ -6,6 +6,7 @@ use crate::observers::{Cracks as Watch, onset_memory};
 use crate::phrases::{listed, sentences};
 use crate::places::point;
 use crate::quantities::{MEASURES, Measure, threshold};
+use crate::rate_factors::rate_factor;
 use crate::stacks::{Stack, stacks};
 use indexmap::IndexMap;
 use tremolite_engine::hexahedra::{centroid, hex};
@@ -63,6 +64,12 @@ fn of_group(model: &Model, phase: &Phase, history: History, memory: &Memory, gro
             }
         }
     }
+    for measure in &MEASURES {
+        let Some(column) = position(columns, measure.role) else { continue };
+        if let Some(found) = result.measures.get_mut(columns[column].name) {
+            found.rate = rate_factor(model, phase, &history, group, (measure.role, found.first));
+        }
+    }
     result
 }
 
@@ -71,6 +78,7 @@ fn nothing(measure: &Measure) -> Damaged {
         beyond: measure.thresholds.iter().map(|t| (threshold(*t), 0.0)).collect(),
         largest: 0.0,
         first: None,
+        rate: None,
     }
 }
 
@@ -102,9 +110,11 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     let left = |e: u32| Some(last?[slot(e)?.element as usize]);
     let worst = through.iter().flat_map(|stack| stack.iter().map(|(e, _)| *e)).reduce(wider);
     let Place { element, at: centre } = place(element);
-    let by_direction = Watch::by_direction(phase, &history, memory);
+    let rows = Watch::rows(history.assembly(), phase);
     let of_direction = |k: usize| {
-        let own = || group.elements.iter().filter_map(|e| Some((*e, by_direction.get(e)?[k])));
+        let remembered = Watch::remembered(memory);
+        let row = |e: &u32| rows.get(e).filter(|_| !remembered.is_empty());
+        let own = || group.elements.iter().filter_map(|e| Some((*e, Watch::opened(remembered, *row(e)?)[k])));
         let (element, most) = own().max_by(|a, b| a.1.widest.total_cmp(&b.1.widest))?;
         let Place { element, at } = place(element);
         Some(Opened {

@@ -16,6 +16,7 @@ use tremolite_kernels::Line;
 use tremolite_laws::Role;
 use tremolite_laws::parameter::position;
 use tremolite_motion::default_periods;
+use tremolite_results::CrackDirection;
 
 /// Bytes of a number in a table with its comma, about: of 20.1 to 20.8 in monitors.csv of two cases.
 const NUMBER: u64 = 21;
@@ -136,7 +137,9 @@ fn columns(model: &Model, plan: &Plan) -> u64 {
         .filter(|group| group.whole)
         .map(|group| {
             let history = group.body.material.info().history;
-            let roles = MEASURES.iter().map(|m| m.role).chain([Role::CrackWidth]);
+            // Cracks of any direction, and of each.
+            let cracks = std::iter::repeat_n(Role::CrackWidth, 1 + CrackDirection::ALL.len());
+            let roles = MEASURES.iter().map(|m| m.role).chain(cracks);
             roles.filter(|role| position(history, *role).is_some()).count()
         })
         .sum();
@@ -194,18 +197,20 @@ pub fn field_bytes(model: &Model, phase: &Phase, fields: &[Field], pores: Pores)
             Field::Seepage => (0, if pores == Pores::Flowing { 3 } else { 0 }),
             Field::Principal => (0, if pores == Pores::None { 2 } else { 5 }),
             Field::Envelope => (1, 2),
-            Field::Damage => (0, u64::from(cracks)),
+            // Two widths; which way the widest runs is a byte.
+            Field::Damage => (0, 2 * u64::from(cracks)),
             Field::Plastic | Field::History | Field::Interface => (0, 0),
         };
         of_node += node;
         of_cell += cell;
     }
+    let ways = if cracks && fields.contains(&Field::Damage) { cells } else { 0 };
     let kept = history().filter(|column| fields.iter().any(|field| field.holds(column)));
     of_cell += kept.map(|column| column.name).collect::<BTreeSet<_>>().len() as u64;
     // Coordinates; corners, where they end, type, element and body; a mark for each group.
     let nodes = model.nodes.of(Domain::Model).count() as u64;
     let groups = model.mesh.groups.values().filter(|elements| elements.iter().any(active)).count() as u64;
-    (24 * nodes + (8 * 8 + 8 + 1 + 8 + 4 + groups) * cells, 4 * (of_node * nodes + of_cell * cells))
+    (24 * nodes + (8 * 8 + 8 + 1 + 8 + 4 + groups) * cells, 4 * (of_node * nodes + of_cell * cells) + ways)
 }
 
 #[cfg(test)]

@@ -45,6 +45,11 @@ impl<'a> History<'a> {
         History { octets, ..*self }
     }
 
+    /// The parts that remember them.
+    pub(crate) fn assembly(&self) -> &'a Assembly {
+        self.assembly
+    }
+
     fn elements(&self) -> usize {
         self.slices.last().map_or(0, |last| last.elements.end)
     }

@@ -31,6 +31,7 @@ pub mod places;
 pub mod plan;
 pub mod point_stress;
 pub mod quantities;
+mod rate_factors;
 pub mod run;
 pub mod scaling;
 pub mod sections;

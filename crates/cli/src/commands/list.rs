@@ -12,7 +12,7 @@ use tremolite_case::{
 use tremolite_laws::interfaces::INTERFACES;
 use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::{Dimension, Kind, LawInfo, Need, PairState, Parameter};
-use tremolite_results::BOLT_COLUMNS;
+use tremolite_results::{BOLT_COLUMNS, CrackDirection};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -191,6 +191,9 @@ fn quantities() {
         }
     }
     print(&format!("    {:22} {:6} widest crack of the group so far", "crack_opening", "m"));
+    for direction in CrackDirection::ALL {
+        print(&format!("    {:22} {:6} {}", direction.column(), "m", direction.meaning()));
+    }
     table("fields/*.vtu, always (ParaView: Find Data, element is 3404)", &CELLS);
     table("bolts/*.vtu, a line for each segment of a bolt", &BOLT_LINES);
     print("fields/*.vtu, by the word in output.fields");

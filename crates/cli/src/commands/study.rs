@@ -162,7 +162,7 @@ pub fn run(args: &Args) -> Outcome {
         let stop = Arc::new(AtomicBool::new(false));
         Queue::new(&study, &plan, &planned, &out, Vec::new(), 1, stop)?.tidy_all()?;
     }
-    let (found, missing) = tables::write(&study, &plan, &planned, &out)?;
+    let (found, missing) = tables::write_with_limits(&study, &plan, &planned, &out)?;
     if let Some(first) = missing.first() {
         return Err(lacks(&study, first));
     }

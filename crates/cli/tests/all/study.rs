@@ -36,6 +36,8 @@ at = ["1 m", "1 m", "-1 m"]
 [output]
 histories = "0.01 s"
 snapshots = "1 s"
+[report.limits]
+displacement = "1 mm"
 "#;
 
 const STUDY: &str = r#"title = "what moves the column"
@@ -106,6 +108,20 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
     assert!(table.starts_with("run,sample,record,level,factor,initial.lateral,RotD50 PGV [m/s]"), "{table}");
     let page = String::from_utf8(bytes(folder, "one/study.html")).unwrap();
     assert!(page.contains("8 at their end") && page.contains("fragility-1-top.svg"), "{page}");
+    // Each run leads to its page, and tells whether the case's limit is met: as the measure of the same monitor is.
+    assert_eq!(page.matches("<a href=\"runs&#x2f;").count(), 8, "{page}");
+    assert!(folder.join("one/runs/s1_north_0.04-m-s/results/report.html").exists());
+    let cells = |name: &str| -> Vec<String> {
+        let rows = table.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<String>>());
+        let rows: Vec<Vec<String>> = rows.collect();
+        let at = rows[0].iter().position(|h| h == name).unwrap_or_else(|| panic!("{name}: {table}"));
+        rows[1..].iter().map(|row| row[at].clone()).collect()
+    };
+    let found = cells("limits.displacement [m]").into_iter().map(|cell| cell.parse::<f64>().unwrap());
+    let held: Vec<(f64, bool)> =
+        found.zip(cells("limits.displacement.met").iter().map(|met| met == "true")).collect();
+    assert!(held.iter().all(|(found, met)| (*found <= 1e-3) == *met), "{held:?}");
+    assert!(held.iter().any(|(_, met)| *met) && held.iter().any(|(_, met)| !met), "{held:?}");
     let same = |out: &str| {
         for file in ["study.csv", "study.json", "plan.csv", "study.html"] {
             assert!(

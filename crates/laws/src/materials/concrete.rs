@@ -146,8 +146,18 @@ const COLUMNS: [Column; MEMORY] = [
     Column::with_role("d_b_max", "1", Role::MeanDamagePeak, "largest D_b so far"),
     Column::new("smoothed_tension", "1", "equivalent tensile strain, smoothed over the filter time"),
     Column::new("smoothed_shear", "1", "largest compressive strain, smoothed over the filter time"),
-    Column::new("factor_tension", "1", "rate factor f_ε at first damage in tension; 0 before"),
-    Column::new("factor_shear", "1", "rate factor of f_c at first damage in shear; 0 before"),
+    Column::with_role(
+        "factor_tension",
+        "1",
+        Role::TensionRateFactor,
+        "rate factor f_ε at first damage in tension; 0 before",
+    ),
+    Column::with_role(
+        "factor_shear",
+        "1",
+        Role::ShearRateFactor,
+        "rate factor of f_c at first damage in shear; 0 before",
+    ),
     Column::with_role(
         "crack_size",
         "m",

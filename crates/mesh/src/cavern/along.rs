@@ -211,7 +211,8 @@ fn divided(
     let beyond = |from: f64, to: f64, next: f64, side: usize| {
         let mut ends = [None; 2];
         ends[side] = Some(End { next, wish: GROWTH * next });
-        stretch(from, to, ends, far, &[]).map_err(|cause| CavernError::Grading { line: "y", cause })
+        let key = if spec.along.is_some() { "along" } else { "near" };
+        stretch(from, to, ends, far, &[]).map_err(|cause| CavernError::Grading { line: "y", key, cause })
     };
     let (first, last) = (stops[0], stops[stops.len() - 1]);
     if last < faces[1] {

@@ -38,7 +38,8 @@ pub(super) fn build(spec: &CavernSpec) -> Result<Section, CavernError> {
     for (cavern, worst) in spec.caverns.iter().zip(&worst) {
         for (&scaled_jacobian, limit) in worst.iter().zip(LEAST_JACOBIAN) {
             if scaled_jacobian < limit {
-                return Err(CavernError::Poor { cavern: cavern.name.clone(), scaled_jacobian, limit });
+                let (cavern, near) = (cavern.name.clone(), spec.near);
+                return Err(CavernError::Poor { cavern, near, scaled_jacobian, limit });
             }
         }
     }
@@ -77,7 +78,9 @@ fn notes(spec: &CavernSpec, layout: &Layout) -> Vec<Note> {
 /// gallery must be as many on either side, and each edge more below a cavern is a row more there.
 fn lead_rows(spec: &CavernSpec, insets: &mut [Option<usize>]) -> Result<(), CavernError> {
     for _ in &spec.galleries {
-        let Err(CavernError::GalleryRows { gallery }) = Layout::new(spec, insets) else { return Ok(()) };
+        let Err(CavernError::GalleryRows { gallery, near }) = Layout::new(spec, insets) else {
+            return Ok(());
+        };
         let between = spec.galleries.iter().find(|g| g.name == gallery).map(|g| &g.between);
         let pair: Vec<usize> = spec
             .caverns
@@ -89,7 +92,7 @@ fn lead_rows(spec: &CavernSpec, insets: &mut [Option<usize>]) -> Result<(), Cave
         let [a, b] = pair[..] else { return Ok(()) };
         let most = |k: usize| layers(&spec.caverns[k]) + 3;
         let leads = |insets: &[Option<usize>]| match Layout::new(spec, insets) {
-            Err(CavernError::GalleryRows { gallery: still }) => still != gallery,
+            Err(CavernError::GalleryRows { gallery: still, .. }) => still != gallery,
             _ => true,
         };
         let mut pairs = (0..=most(a)).flat_map(|i| (0..=most(b)).map(move |j| [i, j]));
@@ -98,7 +101,7 @@ fn lead_rows(spec: &CavernSpec, insets: &mut [Option<usize>]) -> Result<(), Cave
             leads(insets)
         });
         if !found {
-            return Err(CavernError::GalleryRows { gallery });
+            return Err(CavernError::GalleryRows { gallery, near });
         }
     }
     Ok(())

@@ -121,9 +121,13 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
         }
     };
     if walls < 0.25 * near {
+        let closed = cavern.shape.is_closed();
+        let least =
+            if closed { cavern.height * 0.25 * near / walls } else { cavern.height - walls + 0.25 * near };
         let must = format!(
-            "above the arch rise, {} m, by at least a quarter of `near`: the walls are straight up to the arch",
-            cavern.arch_rise
+            "at least {:.2} m, so that its {what} is a quarter of `near` high{}",
+            (100.0 * least).ceil() / 100.0,
+            if closed { String::new() } else { format!(" above the arch rise, {} m", cavern.arch_rise) }
         );
         return Err(value(key("height"), cavern.height, must));
     }

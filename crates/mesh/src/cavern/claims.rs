@@ -1,5 +1,6 @@
 //! How much of the block each cavern claims: the rectangle that its rings of rock fill.
 
+use super::error::ROCK;
 use super::profile::Outline;
 use super::rows::Counts;
 use super::{CavernError, CavernSpec};
@@ -51,7 +52,7 @@ pub(super) fn shrink(
     claims: &mut [Claim],
     block: [[f64; 2]; 2],
 ) -> Result<(), CavernError> {
-    let needed = 1.2 * spec.near;
+    let needed = ROCK * spec.near;
     for (k, claim) in claims.iter_mut().enumerate() {
         for axis in 0..2 {
             for side in 0..2 {

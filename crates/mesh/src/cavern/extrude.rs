@@ -18,7 +18,7 @@ pub(super) fn extrude(spec: &CavernSpec, section: &Section) -> Result<Mesh, Cave
     let layers = section.y.len() - 1;
     let elements = section.quads.len() as u64 * layers as u64;
     if elements > MOST_ELEMENTS {
-        return Err(CavernError::TooMany { elements: elements as f64 });
+        return Err(CavernError::TooMany { elements: elements as f64, near: spec.near, along: spec.step() });
     }
     let mut mesh = Mesh::default();
     mesh.nodes.reserve(section.points.len() * section.y.len());

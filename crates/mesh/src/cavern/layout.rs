@@ -77,8 +77,9 @@ impl Layout {
         meet_levels(spec.near, &mut claims, &levels);
         for (plot, claim) in plots.iter_mut().zip(&claims) {
             let mean = claim.margin.as_flattened().iter().sum::<f64>() / 4.0;
-            let line = graded(0.0, mean, (Some(spec.near), None), spec.far, GROWTH)
-                .map_err(|cause| CavernError::Grading { line: "the rings round a cavern", cause })?;
+            let line = graded(0.0, mean, (Some(spec.near), None), spec.far, GROWTH).map_err(|cause| {
+                CavernError::Grading { line: "the rings round a cavern", key: "near", cause }
+            })?;
             plot.rings = line.iter().map(|s| s / mean).collect();
         }
 
@@ -88,7 +89,11 @@ impl Layout {
         let elements = rows * (x.len() - 1) as f64 * (z.len() - 1) as f64;
         let inside: f64 = plots.iter().map(|p| (p.counts.vault() * p.counts.vault()) as f64 * rows).sum();
         if elements + inside > MOST_ELEMENTS as f64 {
-            return Err(CavernError::TooMany { elements: elements + inside });
+            return Err(CavernError::TooMany {
+                elements: elements + inside,
+                near: spec.near,
+                along: spec.step(),
+            });
         }
         for (plot, cavern) in plots.iter_mut().zip(&spec.caverns) {
             if let Outline::Walls(profile) = &plot.outline {

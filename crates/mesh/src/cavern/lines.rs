@@ -36,7 +36,7 @@ pub(super) fn lines(
     }
     let total: f64 = wishes.iter().map(|w| w.ideal).sum();
     if total > MOST_ELEMENTS as f64 {
-        return Err(CavernError::TooMany { elements: total * total });
+        return Err(CavernError::TooMany { elements: total * total, near: spec.near, along: spec.step() });
     }
     let counts = whole_numbers(&length, &wishes);
 
@@ -130,8 +130,13 @@ fn outside(
     let level = axis == 1 && (spec.ground == GroundSurface::Level || !last);
     let cuts: Vec<f64> = spec.layers.iter().filter(|l| level && l.dip == 0.0).map(|l| -l.depth).collect();
     let line = ["x", "z"][axis];
-    let mut part =
-        stretch(from, to, ends, spec.far, &cuts).map_err(|cause| CavernError::Grading { line, cause })?;
+    // Where even the largest elements are too many it is their size that is wrong.
+    let key = if (to - from) / spec.far > MOST_ELEMENTS as f64 / 100.0 { "far" } else { "near" };
+    let mut part = stretch(from, to, ends, spec.far, &cuts).map_err(|cause| CavernError::Grading {
+        line,
+        key,
+        cause,
+    })?;
     part.remove(0);
     Ok(part)
 }

@@ -161,7 +161,7 @@ pub(super) fn pin(
                 let Some(node) =
                     row.and_then(|row| row.checked_sub(plots[k].first_row() + plots[k].rows.start))
                 else {
-                    return Err(CavernError::GalleryRows { gallery: gallery.name.clone() });
+                    return Err(CavernError::GalleryRows { gallery: gallery.name.clone(), near: spec.near });
                 };
                 let level = over(level, plots[k].centre[1]);
                 let pins = &mut plots[k].pins;
@@ -184,7 +184,7 @@ pub(super) fn pin(
                 let meets = |p: &(&Gallery, &Passage)| p.1.caverns.contains(&k);
                 let mut galleries = spec.galleries.iter().zip(passages);
                 let Some((gallery, _)) = galleries.find(meets) else { continue };
-                return Err(CavernError::GalleryRows { gallery: gallery.name.clone() });
+                return Err(CavernError::GalleryRows { gallery: gallery.name.clone(), near: spec.near });
             }
         }
     }

@@ -18,5 +18,19 @@ pub const TEXTS: Texts = &[
     ),
     ("Measures that stayed zero are not listed.", "始终为零的量不列出。"),
     ("element\u{a0}{element} ({x},\u{a0}{y},\u{a0}{z})", "单元\u{a0}{element} ({x},\u{a0}{y},\u{a0}{z})"),
+    (
+        "{largest} times in {lining}, {first} where cracking began",
+        "{lining} {largest} 倍（最先开裂处 {first} 倍）",
+    ),
+    ("{largest} times in {lining}", "{lining} {largest} 倍"),
+    ("Where it cracked its tensile strength was up to {told}.", "开裂处的抗拉强度最高为静态值的：{told}。"),
+    ("Strength by the rate of strain", "应变速率对强度的提高"),
+    ("times the static strength", "静态强度的倍数"),
+    ("mean of what is damaged", "损伤部分平均"),
+    ("where damage began", "最先损伤处"),
+    (
+        "How many times its static strength concrete had when a point was first damaged, since it was strained fast: that of tension where it cracked, that of compression where it was crushed or sheared. The factor of a point stays what it was then.",
+        "混凝土某点首次损伤时，因应变速率高，其强度为静态值的倍数：开裂取抗拉强度，压碎或剪切破坏取抗压强度。该倍数此后保持不变。",
+    ),
     ("{through} of {all}", "{all} 处中 {through} 处"),
 ];

@@ -82,4 +82,5 @@ pub const TEXTS: Texts = &[
     ),
     ("% of volume", "% 体积"),
     ("widest crack", "最大裂缝宽度"),
+    ("widest crack parallel to the wall", "平行于壁面的最大裂缝"),
 ];

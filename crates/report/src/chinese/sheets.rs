@@ -237,13 +237,10 @@ pub const TEXTS: Texts = &[
     ),
     ("Concretes differ", "混凝土不一致"),
     (
-        "{lining} {width} m wide, {height} m high, {along} m long",
-        "{lining} 宽 {width} m、高 {height} m、长 {along} m",
+        "{lining} {width} m wide, {height} m high, {along} m long in the model",
+        "{lining} 宽 {width} m、高 {height} m、模型长 {along} m",
     ),
-    (
-        "clear, between the lining's inner faces; along y what the model has of it",
-        "净尺寸，衬砌内表面之间；沿 y 为模型所含长度",
-    ),
+    ("clear, inside the lining", "衬砌内净尺寸"),
     ("Halls", "洞室"),
     ("Lining on rock", "衬砌与围岩"),
     ("tied to the rock: it neither parts from it nor slides on it", "与围岩固结：不脱开也不滑移"),
@@ -252,6 +249,7 @@ pub const TEXTS: Texts = &[
         "钢筋内侧 {inner}、外侧 {outer} mm²/m，钢筋轴线距表面 {near} 与 {far} mm",
     ),
     ("{title} (thickness × {factor})", "{title}（厚度 × {factor}）"),
+    ("thickness of linings × {factor}", "衬砌厚度 × {factor}"),
     (
         "{answer} Concrete is crushed or sheared in up to {share} of a lining's volume.",
         "{answer}混凝土压碎或剪坏，最多占一个衬砌体积的 {share}。",
@@ -288,10 +286,10 @@ pub const TEXTS: Texts = &[
     ("; a cross-check, since this lining can crack", "；该衬砌可开裂，仅作复核"),
     (", and of another concrete than the model's", "，且混凝土与模型不同"),
     ("Peak acceleration, rock outcrop", "峰值加速度，基岩露头"),
-    ("Initial stress", "初始地应力"),
+    ("Initial compression", "初始地应力（压）"),
     (
-        "{vertical} vertical, {x} along x ({kx} of it), {y} along y ({ky}), in compression",
-        "竖向 {vertical}，沿 x {x}（侧压力系数 {kx}），沿 y {y}（{ky}），以压为正",
+        "{vertical} vertical, {x} along x ({kx} of it), {y} along y ({ky})",
+        "竖向 {vertical}，沿 x {x}（侧压力系数 {kx}），沿 y {y}（{ky}）",
     ),
     ("at ({x}, {y}, {z}) m", "位于 ({x}, {y}, {z}) m"),
     ("an excavation lets go {share} of what is held", "开挖荷载释放率 {share}"),

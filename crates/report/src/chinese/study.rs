@@ -3,6 +3,10 @@
 use super::Texts;
 
 pub const TEXTS: Texts = &[
+    (
+        "{some} of {all} runs with results meet all limits of acceptance of their case",
+        "有结果的 {all} 次计算中，{some} 次满足其算例的全部控制标准",
+    ),
     ("A study of {case} by {file}: {runs} runs.", "对 {case} 的参数研究（{file}）：共 {runs} 次计算。"),
     ("{some} at their end", "{some} 次计算至结束"),
     ("{some} stopped by the guard in the earthquake", "{some} 次在地震中被守护检查终止"),

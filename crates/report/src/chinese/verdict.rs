@@ -53,12 +53,22 @@ pub const TEXTS: Texts = &[
     ("{first} In shear that is {volume}.", "{first}其中剪切屈服体积为 {volume}。"),
     ("{group}: undamaged.", "{group}：未损伤。"),
     (
-        "{group}: cracked in {cracked} of its volume, through the thickness at {through} of {places} places; widest crack {opening}.",
-        "{group}：开裂体积占 {cracked}，贯穿性裂缝 {through}/{places} 处；最大裂缝宽度 {opening}。",
+        "{group}: cracked in {cracked} of its volume, through the thickness at {through} of {places} places; {widest}.",
+        "{group}：开裂体积占 {cracked}，贯穿性裂缝 {through}/{places} 处；{widest}。",
     ),
     (
-        "{group}: cracked in {cracked} of its volume, nowhere through the thickness; widest crack {opening}.",
-        "{group}：开裂体积占 {cracked}，没有一处贯穿厚度；最大裂缝宽度 {opening}。",
+        "{group}: cracked in {cracked} of its volume, nowhere through the thickness; {widest}.",
+        "{group}：开裂体积占 {cracked}，没有一处贯穿厚度；{widest}。",
+    ),
+    ("widest crack {opening}", "最大裂缝宽度 {opening}"),
+    ("widest crack {opening}, {direction}", "最大裂缝宽度 {opening}（{direction}）"),
+    (
+        "widest crack {opening}, parallel to the wall; none across bars",
+        "最大裂缝宽度 {opening}（平行于壁面），无与钢筋相交的裂缝",
+    ),
+    (
+        "widest crack across bars {across} ({direction}), parallel to the wall {parallel}",
+        "与钢筋相交的裂缝最宽 {across}（{direction}），平行于壁面的最宽 {parallel}",
     ),
     ("{group}: cracked in {cracked} of its volume.", "{group}：开裂体积占 {cracked}。"),
     ("Interface {name}: neither slid nor opened.", "接触面 {name}：未滑移，也未张开。"),

@@ -57,6 +57,8 @@ pub const TEXTS: Texts = &[
     ("mean damage D_b now: closed cracks count less", "当前平均损伤 D_b"),
     ("largest mean damage D_b so far", "历史最大平均损伤 D_b"),
     ("widest crack so far", "历史最大裂缝宽度"),
+    ("widest crack across bars so far", "与钢筋相交的历史最大裂缝宽度"),
+    ("which way the widest crack runs", "最宽裂缝的走向"),
     ("plastic shear strain", "塑性剪应变"),
     ("plastic tension strain", "塑性拉应变"),
     ("plastic state", "塑性状态"),

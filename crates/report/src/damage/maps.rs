@@ -258,15 +258,17 @@ impl Scene {
             }
             (say!(language, "{title}: up to {most}", title = map.title, most = self.most(map)), frame)
         };
-        let [svg, narrow] = [(&wide, title), (&narrow, "")].map(|(row, title)| {
+        // A narrow one has its heading beside it.
+        let titles = match thick.factor > 1.0 {
+            true => [
+                say!(language, "{title} (thickness × {factor})", title = title, factor = thick.factor),
+                say!(language, "thickness of linings × {factor}", factor = thick.factor),
+            ],
+            false => [title.to_owned(), String::new()],
+        };
+        let [svg, narrow] = [(&wide, &titles[0]), (&narrow, &titles[1])].map(|(row, title)| {
             let maps: Vec<_> = maps.iter().map(|map| frame(row, map)).collect();
-            let title = match thick.factor > 1.0 && !title.is_empty() {
-                true => {
-                    say!(language, "{title} (thickness × {factor})", title = title, factor = thick.factor)
-                }
-                false => title.to_owned(),
-            };
-            row.draw(&title, &maps, &say!(language, "a section coloured by element"))
+            row.draw(title, &maps, &say!(language, "a section coloured by element"))
         });
         let plane = on_plane(language, cut.y);
         let more = if thick.factor > 1.0 {

@@ -14,6 +14,8 @@ const BETWEEN: f64 = 14.0;
 const EDGE: f64 = 6.0;
 /// Above the maps: the title, and a line for what each of several is.
 const TITLE: f64 = 30.0;
+/// The title of a narrow figure, whose heading stands beside it on the page.
+const SLIM_TITLE: f64 = 18.0;
 const LINE: f64 = 20.0;
 /// A second such line.
 const SECOND: f64 = 15.0;
@@ -64,9 +66,12 @@ impl MapRow {
     /// The figure as SVG: the title above, and above each map what it is, if it is not empty. The bar is that of the first.
     pub fn draw(&self, title: &str, maps: &[(String, Frame)], description: &str) -> String {
         let mut svg = Svg::new(self.width);
-        svg.text((LEFT, TITLE - 12.0), Anchor::Start, 14.0, Style::Bold, title);
-        // On a narrow figure a name has two lines if it needs them; beside other maps its map's width, else all up to the bar.
         let narrow = self.width < WIDTH;
+        match narrow {
+            true => svg.text((EDGE, SLIM_TITLE - 5.0), Anchor::Start, 12.0, Style::Muted, title),
+            false => svg.text((LEFT, TITLE - 12.0), Anchor::Start, 14.0, Style::Bold, title),
+        }
+        // On a narrow figure a name has two lines if it needs them; beside other maps its map's width, else all up to the bar.
         let names = |(name, frame): &(String, Frame)| match (narrow, self.beside) {
             (true, true) => halves(name, frame.size().0).map(str::to_owned),
             (true, false) => halves(name, LEFT + frame.size().0 - EDGE).map(str::to_owned),
@@ -75,7 +80,11 @@ impl MapRow {
         let names: Vec<[String; 2]> = maps.iter().map(names).collect();
         let mut line = if names.iter().any(|[_, name]| !name.is_empty()) { LINE } else { 0.0 };
         line += if names.iter().any(|[first, _]| !first.is_empty()) { SECOND } else { 0.0 };
-        let above = if title.is_empty() { 0.0 } else { TITLE };
+        let above = match (title.is_empty(), narrow) {
+            (true, _) => 0.0,
+            (false, true) => SLIM_TITLE,
+            (false, false) => TITLE,
+        };
         let (mut at, mut end) = ((LEFT, (above + line).max(8.0)), (0.0, 0.0));
         let top = at.1;
         for (k, ((_, frame), name)) in maps.iter().zip(&names).enumerate() {

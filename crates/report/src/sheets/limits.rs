@@ -1,6 +1,7 @@
 //! Limits of acceptance beside what was found.
 
 use serde::Serialize;
+use tremolite_results::study::StudyLimit;
 use tremolite_results::{Cracks, Summary};
 
 use crate::damage::{direction, told};
@@ -17,6 +18,13 @@ use crate::verdict::short_names::percent;
 /// A limit, what was found, and whether it is met.
 #[derive(Serialize)]
 pub struct LimitRow {
+    /// The limit's key in the case, and what was found beside it, SI.
+    #[serde(skip)]
+    key: String,
+    #[serde(skip)]
+    value: Option<f64>,
+    #[serde(skip)]
+    bound: f64,
     name: String,
     found: String,
     note: String,
@@ -30,6 +38,21 @@ impl LimitRow {
     /// Whether what was found is beyond it.
     pub fn is_beyond(&self) -> bool {
         self.class == "fail"
+    }
+
+    /// Its key, and the same for the table of a study.
+    pub fn told(self) -> (String, StudyLimit) {
+        let met = match self.class {
+            "pass" => Some(true),
+            "fail" => Some(false),
+            _ => None,
+        };
+        let unit = match self.key.as_str() {
+            "displacement" | "relative_displacement" | "crack_width" => "m",
+            _ => "1",
+        };
+        let found = self.value.filter(|value| value.is_finite());
+        (self.key, StudyLimit { limit: self.bound, found, met, unit: unit.into() })
     }
 }
 
@@ -89,6 +112,7 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
             Some((value, ..)) if *value <= limit => ("pass", say!(language, "met")),
             Some(_) => ("fail", say!(language, "not met")),
         };
+        let value = found.as_ref().map(|(value, ..)| *value);
         let (found, note) = match found {
             Some((_, text, note)) => (text, note),
             None if beyond.is_some() => {
@@ -107,7 +131,18 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
             }
             None => (String::new(), say!(language, "the results do not hold it")),
         };
-        LimitRow { name, found, note, limit: format!("≤ {limit_text}"), class, mark }
+        let limit_text = format!("≤ {limit_text}");
+        LimitRow {
+            key: name_of.clone(),
+            value,
+            bound: limit,
+            name,
+            found,
+            note,
+            limit: limit_text,
+            class,
+            mark,
+        }
     };
     summary.case.report.limits.iter().map(row).collect()
 }

@@ -1,7 +1,8 @@
 //! Materials, damping, boundaries and stages in a line each.
 
-use tremolite_results::{Border, EFFECTIVE, LiningExtent, MaterialValue, SectionStrength, Summary};
+use tremolite_results::{Border, EFFECTIVE, LiningExtent, SectionStrength, Summary};
 
+use crate::damage::rates::STATIC;
 use crate::drawing::plot::range;
 use crate::facts::materials;
 use crate::facts::{Fact, card};
@@ -176,7 +177,7 @@ fn halls(source: &Source, summary: &Summary) -> Option<Fact> {
         let [width, along, height] = of.clear.map(length);
         say!(
             language,
-            "{lining} {width} m wide, {height} m high, {along} m long",
+            "{lining} {width} m wide, {height} m high, {along} m long in the model",
             lining = name,
             width = width,
             height = height,
@@ -184,7 +185,7 @@ fn halls(source: &Source, summary: &Summary) -> Option<Fact> {
         )
     };
     let all: Vec<String> = summary.computed.linings.iter().take(HALLS).map(told).collect();
-    let note = say!(language, "clear, between the lining's inner faces; along y what the model has of it");
+    let note = say!(language, "clear, inside the lining");
     (!all.is_empty()).then(|| card(say!(language, "Halls"), all.join(&say!(language, "; ")), note))
 }
 
@@ -205,15 +206,6 @@ fn on_rock(source: &Source, summary: &Summary) -> Option<Fact> {
     }
     let all: Vec<String> = interfaces.iter().map(|(name, of)| format!("{name} ({})", of.law)).collect();
     Some(card(say!(language, "Interfaces"), all.join(&say!(language, "; ")), ""))
-}
-
-/// The rate law of a strength that does not go by the rate.
-const STATIC: &str = "none";
-
-/// Whether some material is stronger the faster it is strained.
-pub fn goes_by_rate(summary: &Summary) -> bool {
-    let grows = |value: &MaterialValue| value.name == "rate" && value.word != STATIC;
-    summary.computed.materials.values().any(|facts| facts.values.iter().any(grows))
 }
 
 /// What the model is, line by line.
@@ -348,7 +340,7 @@ fn initial_stress(source: &Source, summary: &Summary) -> Option<Fact> {
     let [x, y, z] = found.at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")));
     let text = say!(
         language,
-        "{vertical} vertical, {x} along x ({kx} of it), {y} along y ({ky}), in compression",
+        "{vertical} vertical, {x} along x ({kx} of it), {y} along y ({ky})",
         vertical = pressure(zz),
         x = pressure(xx),
         kx = ratio(xx),
@@ -356,7 +348,7 @@ fn initial_stress(source: &Source, summary: &Summary) -> Option<Fact> {
         ky = ratio(yy)
     );
     let place = say!(language, "at ({x}, {y}, {z}) m", x = x, y = y, z = z);
-    Some(card(say!(language, "Initial stress"), text, place))
+    Some(card(say!(language, "Initial compression"), text, place))
 }
 
 /// Which shares of what is held are let go by excavations that do not let go all; empty where each does.

@@ -1,15 +1,17 @@
 //! The page itself.
 
+use indexmap::IndexSet;
 use minijinja::Value;
 use minijinja::value::Serde;
 use serde::Serialize;
-use tremolite_results::study::{RunStatus, Study, StudyRun};
+use tremolite_results::study::{RunStatus, Study, StudyLimit, StudyRun};
 
 use super::Figure;
 use super::fragility::{caption, limit, over, word};
 use super::paper::{measured, told};
 use crate::language::{Language, say};
 use crate::page::templates::{STYLE, environment, markup};
+use crate::quantities::scale::{figures, trimmed};
 
 const TEMPLATE: &str = include_str!("../../template/study.html");
 
@@ -42,9 +44,27 @@ struct Page<'a> {
     chapters: Vec<Chapter>,
     over_records: Vec<Vec<String>>,
     head: Vec<String>,
-    runs: Vec<Vec<String>>,
+    runs: Vec<Vec<Cell>>,
     more: Option<String>,
-    ended: Vec<(String, String, String)>,
+    /// With their pages and why.
+    ended: Vec<(Cell, String, String)>,
+}
+
+/// A cell of the table of runs.
+#[derive(Default, Serialize)]
+struct Cell {
+    text: String,
+    /// Where it leads; empty for nowhere.
+    link: String,
+    /// `pass` or `fail` of a limit; else empty.
+    class: &'static str,
+    note: String,
+}
+
+impl Cell {
+    fn plain(text: String) -> Cell {
+        Cell { text, ..Cell::default() }
+    }
 }
 
 #[derive(Serialize)]
@@ -104,6 +124,7 @@ pub fn html(study: &Study, language: Language, parts: &Parts) -> Result<String, 
             .map(|status| (status, count(status)))
             .filter(|(_, n)| *n > 0)
             .map(|(status, n)| counted(language, status, n))
+            .chain(met(study, language))
             .collect(),
         mixed: (programs.len() > 1).then(mixed),
         fits: study.fragilities.iter().map(|f| fit(study, language, f)).collect(),
@@ -116,7 +137,10 @@ pub fn html(study: &Study, language: Language, parts: &Parts) -> Result<String, 
             .runs
             .iter()
             .filter(no_result)
-            .map(|run| (run.name.clone(), ended(language, run.status), run.why.clone()))
+            .map(|run| {
+                let name = Cell { link: address(&run.page), ..Cell::plain(run.name.clone()) };
+                (name, ended(language, run.status), run.why.clone())
+            })
             .collect(),
     };
     let mut environment = environment(language)?;
@@ -212,18 +236,20 @@ fn head(study: &Study, language: Language) -> Vec<String> {
         head.push(say!(language, "factor"));
     }
     head.extend(study.intensities.iter().chain(&study.measures).map(shown));
+    head.extend(limits(study).into_iter().map(|name| limit_name(language, name)));
     head.push(say!(language, "ended"));
     head
 }
 
-fn row(study: &Study, language: Language, run: &StudyRun) -> Vec<String> {
-    let number = |x: Option<f64>| x.map_or_else(|| "–".to_owned(), told);
-    let mut row = vec![run.name.clone()];
+fn row(study: &Study, language: Language, run: &StudyRun) -> Vec<Cell> {
+    let number = |x: Option<f64>| Cell::plain(x.map_or_else(|| "–".to_owned(), told));
+    let mut row = vec![Cell { link: address(&run.page), ..Cell::plain(run.name.clone()) }];
     row.extend(run.values.iter().map(|v| {
-        v.as_deref().map_or_else(|| say!(language, "as it is"), |v| v.trim_matches('"').to_owned())
+        let as_written = |v: &str| v.trim_matches('"').to_owned();
+        Cell::plain(v.as_deref().map_or_else(|| say!(language, "as it is"), as_written))
     }));
     if study.runs.iter().any(|r| r.record.is_some()) {
-        row.push(run.record.clone().unwrap_or_default());
+        row.push(Cell::plain(run.record.clone().unwrap_or_default()));
     }
     if study.runs.iter().any(|r| r.factor.is_some()) {
         row.push(number(run.factor));
@@ -232,6 +258,66 @@ fn row(study: &Study, language: Language, run: &StudyRun) -> Vec<String> {
         run.intensities.iter().zip(&study.intensities).map(|(x, c)| number(x.map(|x| x / c.shown_factor))),
     );
     row.extend(run.measures.iter().map(|x| number(*x)));
-    row.push(ended(language, run.status));
+    row.extend(limits(study).into_iter().map(|name| held(language, run.limits.get(name))));
+    row.push(Cell::plain(ended(language, run.status)));
     row
+}
+
+/// All limits of acceptance that runs were held to, in the order in which they come.
+fn limits(study: &Study) -> IndexSet<&str> {
+    study.runs.iter().flat_map(|run| run.limits.keys().map(String::as_str)).collect()
+}
+
+/// How many runs meet all of their limits, of those that have any; nothing where none has.
+fn met(study: &Study, language: Language) -> Option<String> {
+    let held: Vec<&StudyRun> = study.runs.iter().filter(|run| !run.limits.is_empty()).collect();
+    let all = |run: &&&StudyRun| run.limits.values().all(|limit| limit.met == Some(true));
+    (!held.is_empty()).then(|| {
+        say!(
+            language,
+            "{some} of {all} runs with results meet all limits of acceptance of their case",
+            some = held.iter().filter(all).count(),
+            all = held.len()
+        )
+    })
+}
+
+/// What a limit is called, by its key.
+fn limit_name(language: Language, key: &str) -> String {
+    match key {
+        "displacement" => say!(language, "Displacement of a monitor"),
+        "relative_displacement" => say!(language, "Relative displacement of two monitors"),
+        "crack_width" => say!(language, "Crack width"),
+        "damage" => say!(language, "Cracked share of a lining's volume"),
+        "crushing" => say!(language, "Crushed or sheared share of a lining's volume"),
+        "utilisation" => say!(language, "Utilisation of a section"),
+        other => other.to_owned(),
+    }
+}
+
+/// Whether a limit is met, with what was found.
+fn held(language: Language, limit: Option<&StudyLimit>) -> Cell {
+    let Some(limit) = limit else { return Cell::plain("–".into()) };
+    let (class, text) = match limit.met {
+        Some(true) => ("pass", say!(language, "met")),
+        Some(false) => ("fail", say!(language, "not met")),
+        None => ("", say!(language, "not known")),
+    };
+    // Widths and displacements are told in millimetres.
+    let size = |x: f64| match limit.unit.as_str() {
+        "m" => format!("{}\u{a0}mm", trimmed(&figures(1e3 * x, 3))),
+        _ => told(x),
+    };
+    let note = match limit.found {
+        Some(found) => format!("{}, ≤ {}", size(found), size(limit.limit)),
+        None if limit.met == Some(false) => format!("∞, ≤ {}", size(limit.limit)),
+        None => format!("≤ {}", size(limit.limit)),
+    };
+    Cell { class, note, ..Cell::plain(text) }
+}
+
+/// A path as an address: what has a meaning there is written by its number.
+fn address(path: &str) -> String {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"/._-~".contains(&byte);
+    path.bytes().map(|b| if plain(b) { char::from(b).to_string() } else { format!("%{b:02X}") }).collect()
 }

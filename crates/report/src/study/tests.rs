@@ -1,7 +1,7 @@
 use super::*;
 use tremolite_results::study::{
-    Influence, RunStatus, Share, StudyBounds, StudyColumn, StudyFit, StudyFragility, StudyRun, Tornado,
-    TornadoBar,
+    Influence, RunStatus, Share, StudyBounds, StudyColumn, StudyFit, StudyFragility, StudyLimit, StudyRun,
+    Tornado, TornadoBar,
 };
 
 fn sample() -> Study {
@@ -132,6 +132,40 @@ fn lines_over_intensity_are_named_while_each_has_a_colour_of_its_own() {
         svg.matches(">record").count()
     };
     assert_eq!((names(7), names(8)), (7, 0));
+}
+
+/// A run whose page is there is a link to it, and each limit of acceptance a column.
+#[test]
+fn runs_lead_to_their_pages_and_tell_whether_their_limits_are_met() {
+    let out = tempfile::tempdir().unwrap();
+    let mut held = sample();
+    let limit = |found, met, limit, unit: &str| StudyLimit { limit, found, met, unit: unit.into() };
+    let both = |found: f64, met| {
+        [
+            ("crack_width".to_owned(), limit(Some(found), Some(met), 3e-4, "m")),
+            ("utilisation".to_owned(), limit(None, Some(false), 1.0, "1")),
+        ]
+    };
+    held.runs[0].page = "runs/s1 #1/results/report.html".into();
+    held.runs[0].limits = both(1.2e-4, true).into();
+    held.runs[1].limits = both(4.5e-4, false).into();
+    held.runs[3].limits = [("crack_width".to_owned(), limit(Some(1e-4), Some(true), 3e-4, "m"))].into();
+    held.write(&out.path().join("study.json")).unwrap();
+    assert_eq!(Study::read(&out.path().join("study.json")).unwrap(), held);
+    let text = fs::read_to_string(study(out.path(), None).unwrap()).unwrap().replace('\u{a0}', " ");
+    for says in [
+        "<a href=\"runs&#x2f;s1%20%231&#x2f;results&#x2f;report.html\">",
+        "<th>Crack width</th><th>Utilisation of a section</th>",
+        "<td class=\"pass\">met <span class=\"note\">0.12 mm, ≤ 0.3 mm</span>",
+        "<td class=\"fail\">not met <span class=\"note\">0.45 mm, ≤ 0.3 mm</span>",
+        "<td class=\"fail\">not met <span class=\"note\">∞, ≤ 1</span>",
+        "1 of 3 runs with results meet all limits of acceptance of their case",
+    ] {
+        assert!(text.contains(says), "{says}: {}", text.split("id=\"table\"").last().unwrap_or_default());
+    }
+    assert_eq!(text.matches("<a href=\"runs").count(), 1, "the others have no page");
+    let chinese = fs::read_to_string(study(out.path(), Some(Language::Chinese)).unwrap()).unwrap();
+    assert!(chinese.contains("3 次计算中，1 次满足") && chinese.contains("<th>裂缝宽度</th>"));
 }
 
 #[test]

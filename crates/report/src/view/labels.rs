@@ -18,6 +18,8 @@ pub fn label(language: Language, name: &str) -> String {
         "d_b" => say!(language, "mean damage D_b now: closed cracks count less"),
         "d_b_max" => say!(language, "largest mean damage D_b so far"),
         "crack_opening" => say!(language, "widest crack so far"),
+        "crack_across" => say!(language, "widest crack across bars so far"),
+        "crack_direction" => say!(language, "which way the widest crack runs"),
         "plastic_shear_strain" => say!(language, "plastic shear strain"),
         "plastic_tension_strain" => say!(language, "plastic tension strain"),
         "plastic_state" => say!(language, "plastic state"),

@@ -3,6 +3,7 @@
 mod bolts;
 mod chinese_page;
 mod compare;
+mod cracks;
 mod deconvolved;
 mod free_field;
 mod further_quantities;

@@ -81,7 +81,7 @@ fn complete(time: f64, damage: f64, yielded: i32) -> Grid {
 fn folder(root: &Path, grids: &[Grid]) -> ResultFolder {
     let folder = ResultFolder::create(Some(root), "case", false).unwrap();
     let mut summary = Summary::default();
-    let measure = || Damaged { beyond: IndexMap::new(), largest: 1.0, first: None };
+    let measure = || Damaged { beyond: IndexMap::new(), largest: 1.0, ..Damaged::default() };
     let measures = [("d_tension".to_owned(), measure()), ("d_b_max".to_owned(), measure())].into();
     summary.parts.damage.insert("hall.lining".into(), GroupDamage { volume: 1.0, measures, cracks: None });
     let peaks = Peaks::of(&[0.0, 0.45, 1.0], &[0.0, 0.002, 0.001]);

@@ -18,7 +18,7 @@ use tremolite_report::Language;
 use tremolite_results::Summary;
 
 use self::sources::Pages;
-use super::{bolts, deconvolved, free_field, interface_results, page, report, sheets, stages};
+use super::{bolts, cracks, deconvolved, free_field, interface_results, page, report, sheets, stages};
 
 /// By how much numbers are scaled at most, up and down: enough to be seen in three figures, too little to make another
 /// monitor the one that moves most wherever that can be helped.
@@ -125,6 +125,20 @@ fn numbers_of_the_two_sheets_stand_in_the_files() {
         ];
         assert_sound(temp.path(), language, &derived);
     }
+}
+
+#[test]
+fn numbers_of_cracks_by_direction_and_of_rates_stand_in_the_files() {
+    let temp = tempfile::tempdir().unwrap();
+    cracks::results(temp.path(), [2.417e-3, 1.3e-4, 9.037e-3, 1.1e-5]);
+    let ratio = "ratio of damage.hall.lining.measures.";
+    let derived = [
+        PARALLEL,
+        ("over: length of the displacement of A", " | "),
+        (ratio, "hall.lining"),
+        (ratio, "Cracked, D⁺"),
+    ];
+    assert_sound(temp.path(), Language::English, &derived);
 }
 
 #[test]

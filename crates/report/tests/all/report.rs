@@ -289,6 +289,7 @@ pub fn cracked() -> GroupDamage {
         beyond: beyond.iter().map(|(t, v)| ((*t).to_owned(), *v)).collect(),
         largest: 0.95,
         first,
+        rate: None,
     };
     let first = Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.5, -3.0] });
     let in_stages = Some(Onset { time: 0.0, element: 7, at: [0.0; 3] });

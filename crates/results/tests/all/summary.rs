@@ -5,8 +5,8 @@ use std::fs;
 use serde_json::{Map, Value};
 use tremolite_results::{
     CaseFacts, Computed, Conclusion, Cracks, Damaged, Defaulted, Error, Finding, GroupDamage, MaterialFacts,
-    MaterialValue, Onset, Origin, Peaks, Said, Severity, Soundness, Status, Summary, Table, TrustLine,
-    peaks_by_monitor, said,
+    MaterialValue, Onset, Origin, Peaks, Place, RateFactor, Said, Severity, Soundness, Status, Summary,
+    Table, TrustLine, peaks_by_monitor, said,
 };
 
 fn summary() -> Summary {
@@ -50,6 +50,12 @@ fn summary() -> Summary {
         beyond: [("0.1".to_owned(), 2.5), ("0.9".to_owned(), 1.0)].into(),
         largest: 0.95,
         first: Some(Onset { time: 4.25, element: 4711, at: [1.0, 2.0, -3.0] }),
+        rate: Some(RateFactor {
+            largest: 1.6,
+            at: Place { element: 4712, at: [1.0, 2.0, -4.0] },
+            mean: 1.3,
+            first: f64::NAN,
+        }),
     };
     let widest = Some(Onset { time: 5.0, element: 7, at: [0.0; 3] });
     let cracks = Some(Cracks {

@@ -7,6 +7,7 @@ use crate::error::RunError;
 use crate::history::History;
 use directions::{Frame, frames, widths};
 use std::collections::HashMap;
+use tremolite_engine::assembly::Assembly;
 use tremolite_engine::law_axes;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
@@ -136,23 +137,28 @@ impl Cracks {
         cracking(phase, |slot| history.with_role(slot, Role::CrackWidth).is_some()).filter_map(of).collect()
     }
 
-    /// What was remembered by direction, by element of the mesh; empty where nothing was.
-    pub fn by_direction(
-        phase: &Phase,
-        history: &History,
-        memory: &Memory,
-    ) -> HashMap<u32, [Opened; ALL.len()]> {
-        let Some(directions) = memory.get(DIRECTIONS) else { return HashMap::new() };
-        let opened = |own: &[f64]| {
-            let mut all = [Opened::default(); ALL.len()];
-            for (opened, [widest, time, last]) in all.iter_mut().zip(own.as_chunks::<EACH>().0) {
-                *opened = Opened { widest: *widest, time: *time, last: *last };
-            }
-            all
-        };
-        let slots = cracking(phase, |slot| history.with_role(slot, Role::CrackWidth).is_some());
-        let own = directions.chunks_exact(EACH * ALL.len());
-        slots.zip(own).map(|((e, _), own)| (e, opened(own))).collect()
+    /// Which row of what is remembered by direction an element of the mesh has, for [`Cracks::opened`].
+    pub fn rows(assembly: &Assembly, phase: &Phase) -> HashMap<u32, usize> {
+        let columns = |slot: &ElementSlot| assembly.members[slot.member as usize].part.columns();
+        let slots = cracking(phase, |slot| position(columns(slot), Role::CrackWidth).is_some());
+        slots.enumerate().map(|(row, (e, _))| (e, row)).collect()
+    }
+
+    /// What was remembered by direction, for [`Cracks::opened`]; empty where nothing was.
+    pub fn remembered(memory: &Memory) -> &[f64] {
+        memory.get(DIRECTIONS).map_or(&[], Vec::as_slice)
+    }
+
+    /// How far an element has opened in each direction, in the order of [`CrackDirection::ALL`], by its row of [`Cracks::rows`] in what was
+    /// remembered; no crack where nothing was.
+    pub fn opened(remembered: &[f64], row: usize) -> [Opened; ALL.len()] {
+        let each = EACH * ALL.len();
+        let own = remembered.get(row * each..(row + 1) * each).unwrap_or_default();
+        let mut all = [Opened::default(); ALL.len()];
+        for (opened, [widest, time, last]) in all.iter_mut().zip(own.as_chunks::<EACH>().0) {
+            *opened = Opened { widest: *widest, time: *time, last: *last };
+        }
+        all
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {

@@ -15,7 +15,7 @@ use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::Row;
 use tremolite_mesh::vtu::{Array, Grid, NODE, Values, VtuError, write_list};
-use tremolite_results::Pvd;
+use tremolite_results::{CrackDirection, Pvd};
 
 /// Writes the chosen fields of the active elements.
 pub struct Fields {
@@ -210,6 +210,7 @@ impl FieldGrid {
             Field::Damage => {
                 if let Some(widest) = memory.get(Cracks::OPENING) {
                     grid.cell_data.push(self.cells(Cracks::OPENING, "m", |s| widest[s.element as usize]));
+                    self.add_directions(grid, view, memory);
                 }
             }
             Field::Seepage => {
@@ -225,6 +226,23 @@ impl FieldGrid {
             }
             Field::Plastic | Field::History | Field::Interface => {}
         }
+    }
+
+    /// The widest crack so far of those that cross bars, and which way the widest of all runs: a number of [`CrackDirection`], 0 without a crack.
+    fn add_directions(&self, grid: &mut Grid, view: &View, memory: &Memory) {
+        let rows = Cracks::rows(view.assembly, view.phase);
+        let remembered = Cracks::remembered(memory);
+        let each = self.elements.iter().map(|e| {
+            let opened = rows.get(e).map(|&row| Cracks::opened(remembered, row)).unwrap_or_default();
+            let all = CrackDirection::ALL.into_iter().zip(opened.map(|of| of.widest));
+            let across = all.clone().filter(|(way, _)| way.crosses_bars()).map(|(_, width)| width);
+            // Of equal ones the first.
+            let widest = all.filter(|(_, width)| *width > 0.0).reduce(|a, b| if b.1 > a.1 { b } else { a });
+            (across.fold(0.0, f64::max) as f32, widest.map_or(0, |(way, _)| way.number()))
+        });
+        let (across, ways) = each.unzip();
+        grid.cell_data.push(Array::new("crack_across", "m", 1, Values::Float32(across)));
+        grid.cell_data.push(Array::new("crack_direction", "", 1, Values::UInt8(ways)));
     }
 
     /// The laws' columns that the fields ask for, zero in elements whose law has none of that name.

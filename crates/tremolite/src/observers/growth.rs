@@ -5,14 +5,14 @@ use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::groups::{Group, groups};
 use crate::quantities::{MEASURES, Measure, SHARE_OF_VOLUME};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use tremolite_engine::hexahedra::hex;
 use tremolite_engine::model::Model;
 use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column as Kept, Role};
-use tremolite_results::{Column, Subject, TableWriter};
+use tremolite_results::{Column, CrackDirection, Subject, TableWriter};
 
 /// Key of what this observer remembers: the bytes written.
 const MEMORY: &str = "growth";
@@ -21,6 +21,8 @@ const MEMORY: &str = "growth";
 struct Cell {
     slot: ElementSlot,
     volumes: Vec<f64>,
+    /// Its row of what is remembered of cracks by direction, if its law has any.
+    row: Option<usize>,
 }
 
 /// A whole group.
@@ -35,7 +37,7 @@ struct Part {
 }
 
 /// Writes, for each group that is no part of another, the share of its volume in which each measure of damage is above
-/// the value that counts, and the widest crack so far.
+/// the value that counts, and the widest crack so far, of all and of each direction.
 pub struct Growth {
     schedule: Schedule,
     elements: Which,
@@ -49,10 +51,11 @@ impl Growth {
     /// # Errors
     /// If the file cannot be written, or is shorter than the state remembers.
     pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
-        let Setting { model, phase, .. } = *setting;
+        let Setting { model, assembly, phase, .. } = *setting;
         let groups = groups(model);
         let whole: Vec<&Group> = groups.iter().filter(|g| g.whole).collect();
-        let parts: Vec<Part> = whole.iter().map(|group| part(model, phase, group)).collect();
+        let rows = Cracks::rows(assembly, phase);
+        let parts: Vec<Part> = whole.iter().map(|group| part(model, phase, &rows, group)).collect();
         let mut columns = vec![Column::new("time", "s")];
         for (group, part) in whole.iter().zip(&parts) {
             // A header is one word.
@@ -64,7 +67,8 @@ impl Growth {
             let share = |c: &Kept| Column::of(subject.clone(), c.name, SHARE_OF_VOLUME);
             columns.extend(part.measures.iter().map(|(c, _)| share(c)));
             if part.cracks {
-                columns.push(Column::of(subject, "crack_opening", "m"));
+                columns.push(Column::of(subject.clone(), "crack_opening", "m"));
+                columns.extend(CrackDirection::ALL.map(|d| Column::of(subject.clone(), d.column(), "m")));
             }
         }
         if parts.is_empty() {
@@ -80,7 +84,7 @@ impl Growth {
     }
 }
 
-fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
+fn part(model: &Model, phase: &Phase, rows: &HashMap<u32, usize>, group: &Group) -> Part {
     let mut cells = Vec::new();
     for &element in &group.elements {
         let (Some(slot), Ok(hex)) =
@@ -89,7 +93,7 @@ fn part(model: &Model, phase: &Phase, group: &Group) -> Part {
             continue;
         };
         let volumes = slot.places.weights(&hex);
-        cells.push(Cell { slot, volumes });
+        cells.push(Cell { slot, volumes, row: rows.get(&element).copied() });
     }
     let members: BTreeSet<u32> = cells.iter().map(|cell: &Cell| cell.slot.member).collect();
     let history = group.body.material.info().history;
@@ -136,6 +140,13 @@ impl Growth {
                 let widest = memory.get(Cracks::OPENING);
                 let of_cell = |cell: &Cell| widest.map_or(0.0, |w| w[cell.slot.element as usize]);
                 row.push(part.cells.iter().map(of_cell).fold(0.0, f64::max));
+                let remembered = Cracks::remembered(memory);
+                let mut each = [0.0_f64; CrackDirection::ALL.len()];
+                for own in part.cells.iter().filter_map(|cell| cell.row) {
+                    let opened = Cracks::opened(remembered, own);
+                    each.iter_mut().zip(opened).for_each(|(most, of)| *most = most.max(of.widest));
+                }
+                row.extend(each);
             }
         }
         self.table.write(&row)?;

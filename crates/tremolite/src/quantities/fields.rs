@@ -64,7 +64,9 @@ impl Field {
             Field::Damage => (
                 "damage",
                 "d_tension, d_shear, d_b, d_b_max (1): damage, mean over an element's points, zero where its law has \
-                 none; crack_opening (m): widest so far, sampled with the histories",
+                 none; crack_opening (m): widest so far, sampled with the histories; crack_across (m): the same of those that cross bars, all but \
+                 those parallel to the wall; crack_direction: which way the widest runs, 1 longitudinal, 2 round the ring, 3 parallel to the wall, \
+                 4 where walls meet, 0 no crack",
             ),
             Field::Plastic => (
                 "plastic",

@@ -71,8 +71,20 @@ fn refuse_formulas(mesh: &case::Mesh, built: &Mesh, problems: &mut Vec<Diagnosti
 fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Option<Built> {
     let (made, span, remedy) = match mesh {
         case::Mesh::Caverns(caverns) => {
-            let made = spec(caverns).mesh_with_notes();
-            let made = made.map_err(|e| (place(caverns, e.subject()), e.to_string()));
+            let spec = spec(caverns);
+            let made = spec.mesh_with_notes().map_err(|e| {
+                let message = e.to_string();
+                let does = spec.size_that_does(&e);
+                let message = match (&does, message.rsplit_once("; ")) {
+                    (Some((key, size)), Some((what, remedy))) => {
+                        let key = key.split_once('.').map_or(key.as_str(), |(_, own)| own);
+                        format!("{what}; `{key} = \"{size} m\"` would do, or {remedy}")
+                    }
+                    _ => message,
+                };
+                let subject = does.map_or_else(|| e.subject(), |(key, _)| key);
+                (place(caverns, &subject), message)
+            });
             (made, &caverns.span, "change the description of the caverns if this is not meant")
         }
         case::Mesh::Box(bricks) => {
@@ -95,12 +107,26 @@ fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<D
         }
     };
     match made {
-        Ok((mesh, notes)) => {
-            let warning = |note: &Note| Diagnostic::new(span.clone(), note.to_string(), remedy);
+        Ok((built, notes)) => {
+            let at = |note: &Note| match (mesh, note) {
+                (case::Mesh::Caverns(caverns), Note::MovedCut { cavern, .. }) => {
+                    place(caverns, &format!("{cavern}.benches"))
+                }
+                (case::Mesh::Caverns(caverns), Note::Stepped { layer }) => {
+                    place(caverns, &format!("layer {layer}.depth"))
+                }
+                _ => span.clone(),
+            };
+            let warning = |note: &Note| Diagnostic::new(at(note), note.to_string(), remedy);
             let (doubled, notes): (Vec<Note>, Vec<Note>) =
                 notes.into_iter().partition(|note| matches!(note, Note::Coincident { .. }));
             let doubled = doubled.first().map(warning);
-            Some(Built { mesh, warnings: notes.iter().map(warning).collect(), doubled, taken: Vec::new() })
+            Some(Built {
+                mesh: built,
+                warnings: notes.iter().map(warning).collect(),
+                doubled,
+                taken: Vec::new(),
+            })
         }
         Err((span, message)) => {
             // Errors of the mesh crate end with the way out.
@@ -128,6 +154,7 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
             "benches" => cavern.benches.span.clone(),
             "shotcrete" => sprayed.map_or(cavern.span.clone(), |s| s.thickness.span.clone()),
             "shotcrete_layers" => sprayed.map_or(cavern.span.clone(), |s| s.layers.span.clone()),
+            "lining" => lining.map_or(cavern.span.clone(), |l| l.walls.span.clone()),
             "lining.walls" => lining.map_or(cavern.span.clone(), |l| l.walls.span.clone()),
             "lining.crown" => lining.map_or(cavern.span.clone(), |l| l.crown.span.clone()),
             "lining.floor" => lining.map_or(cavern.span.clone(), |l| l.floor.span.clone()),
@@ -160,6 +187,10 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
         "near" => c.near.span.clone(),
         "far" => c.far.span.clone(),
         "along" => along.unwrap_or(&c.span).clone(),
+        "ground" => match &c.ground {
+            Some(case::GroundSurface::Slope(slope)) => slope.span.clone(),
+            _ => c.span.clone(),
+        },
         _ => c.span.clone(),
     }
 }
@@ -286,11 +317,11 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
         for (from, to, marked, remedy) in [
             ("crown = \"0.9 m\"", "crown = \"9 m\"", "\"9 m\"", "half the width"),
             ("crown = \"0.9 m\" }", "crown = \"0.9 m\" }\nshotcrete = \"7 m\"", "\"7 m\"", "half the width"),
-            ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"hall\"", "`overburden`"),
+            ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"0.1 m\"", "raise `overburden` by 4.4 m"),
             ("arch_rise = ", "length = \"2 m\"\narch_rise = ", "\"2 m\"", "`along`"),
             ("arch_rise = ", "length = \"28 m\"\narch_rise = ", "\"28 m\"", "rock"),
             ("arch_rise = ", "length = \"9 m\"\nmiddle = \"11 m\"\narch_rise = ", "\"11 m\"", "rock"),
-            ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "[mesh.caverns]", "raise `near`"),
+            ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "\"1e-9 m\"", "raise `along`"),
         ] {
             let source = CAVERNS.replace(from, to);
             let alone = MeshAlone::parse(Path::new("mesh.toml"), &source);

@@ -211,10 +211,15 @@ fn oversized(
     let remedy = if limit < LEAST_SIZE {
         "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit".to_owned()
     } else {
-        finer(case, limit)
+        finer(case, limit, extent)
+    };
+    // What is too large is the generator's size, where there is one.
+    let span = match &case.mesh {
+        tremolite_case::Mesh::Caverns(caverns) if limit >= LEAST_SIZE => caverns.near.span.clone(),
+        _ => material.span.clone(),
     };
     Some(Diagnostic::new(
-        material.span.clone(),
+        span,
         format!(
             "element {}{place} at ({x:.1}, {y:.1}, {z:.1}) m extends over {extent:.2} m{others}; with this material's \
              fracture energy elements must stay below {} m, or a crack would release more than it takes",
@@ -225,15 +230,17 @@ fn oversized(
     ))
 }
 
-/// How elements of concrete become small enough.
-fn finer(case: &Case, limit: f64) -> String {
+/// How elements of concrete become small enough, of which the largest now has this extent \[m\].
+fn finer(case: &Case, limit: f64, extent: f64) -> String {
     // Rounded down to centimetres, so that it holds as it is written.
     let below = (100.0 * limit - 1.0).floor() / 100.0;
     let how = match &case.mesh {
-        tremolite_case::Mesh::Caverns(_) => {
-            format!(
-                "give `near` and `along` of [mesh.caverns] {below} m or less, or more layers of lining where it is thick"
-            )
+        // Round a vault elements are larger than the size that is asked for, by the same share in a finer mesh.
+        tremolite_case::Mesh::Caverns(caverns) => {
+            let near = caverns.near.value * (limit / extent).min(1.0);
+            let along = caverns.along.as_ref().map_or(near, |along| along.value.min(limit));
+            let [near, along] = [near, along].map(|size| (100.0 * size - 1.0).floor() / 100.0);
+            format!("give `near` {near} m and `along` {along} m, or more layers of lining where it is thick")
         }
         tremolite_case::Mesh::Box(_) => format!("give more `elements` along the axes, for {below} m or less"),
         tremolite_case::Mesh::File(_) => format!("mesh it with {below} m or less"),

@@ -17,7 +17,7 @@ use tremolite::{
 use tremolite_laws::{Isa, Moduli, Values};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::locate::Locator;
-use tremolite_mesh::vtu::Grid;
+use tremolite_mesh::vtu::{Array, Grid, Values as ArrayValues};
 use tremolite_results::{CrackDirection, GroupDamage, ResultFolder, Severity, Table};
 
 /// A hall of 4 × 4 m in a block of 16 × 3 × 14 m, its lining of 1 m of a concrete of 0.6 MPa tensile strength.
@@ -217,6 +217,12 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
         assert!(values[0] == 0.0 && values.is_sorted() && (values.last().unwrap() / last - 1.0).abs() < 1e-9);
     }
 
+    // So do the columns of each direction.
+    for of in &cracks.directions {
+        let values = table.column(&format!("hall.lining.{}", of.direction.column())).unwrap();
+        assert!(values[0] == 0.0 && values.is_sorted() && values.last() == Some(&of.opening), "{of:?}");
+    }
+
     // Cells of the last file, mean over eight equal points, add up to no more than what is beyond 0 and 0.9.
     let grid = Grid::read(&folder.path().join("fields/000003.vtu")).unwrap();
     let cells = |name: &str| {
@@ -240,7 +246,8 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
     let values: usize = grid.point_data.iter().map(|a| 4 * a.values.len()).sum();
     let own = |name: &str| name == "element" || name == "body" || name.starts_with("group:");
     let of_cells = grid.cell_data.iter().filter(|a| !own(&a.name));
-    let values = values + of_cells.map(|a| 4 * a.values.len()).sum::<usize>();
+    let bytes = |a: &Array| if matches!(a.values, ArrayValues::UInt8(_)) { 1 } else { 4 };
+    let values = values + of_cells.map(|a| bytes(a) * a.values.len()).sum::<usize>();
     let marks = grid.cell_data.iter().filter(|a| a.name.starts_with("group:")).count();
     let mesh =
         24 * grid.points.len() + 8 * grid.connectivity.len() + (8 + 1 + 8 + 4 + marks) * grid.types.len();
@@ -248,6 +255,32 @@ fn a_weak_lining_cracks_and_fields_summary_and_verdict_say_where_and_how_far() {
         field_bytes(&ready.model, &ready.phase, &Field::ALL, Pores::None),
         (mesh as u64, values as u64)
     );
+    // By direction: of the whole what the summary has, by element one of them is the widest.
+    let [all, across, ways] = ["crack_opening", "crack_across", "crack_direction"].map(cells);
+    let most = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+    let widest = cracks.across().unwrap().opening;
+    assert!((most(&across) / widest - 1.0).abs() < 1e-6, "{} and {widest}", most(&across));
+    let parallel = f64::from(CrackDirection::Parallel.number());
+    for (k, way) in ways.iter().enumerate() {
+        let open = all[k] > 0.0;
+        assert!((0.0..=4.0).contains(way) && open == (*way > 0.0) && across[k] <= all[k], "{k}: {way}");
+        assert_eq!(open && *way != parallel, open && across[k] == all[k], "{k}: {way}");
+    }
+    assert!(ways.contains(&parallel) && ways.contains(&1.0), "{ways:?}");
+    // Strained fast, concrete cracked later than it would have: by the mean of an element no more than at its points.
+    let rate = tension.rate.unwrap();
+    let factors = cells("factor_tension");
+    assert!(
+        rate.largest > (1.0 - 1e-6) * most(&factors) && rate.largest > 1.0 && rate.largest < 4.0,
+        "{rate:?}"
+    );
+    assert!(
+        (1.0..=rate.largest).contains(&rate.mean) && (1.0..=rate.largest).contains(&rate.first),
+        "{rate:?}"
+    );
+    let worst = numbers.iter().position(|n| *n == rate.at.element as f64).unwrap();
+    assert!(factors[worst] > 0.0 && factors[worst] < (1.0 + 1e-6) * rate.largest);
+
     let sum: f64 = cells("d_tension").iter().sum();
     assert!(sum > 0.9 * beyond(lining, "0.9") && sum < lining.volume, "{sum}");
     let [now, most] = ["d_b", "d_b_max"].map(cells);

@@ -64,6 +64,69 @@ fn elements_too_large_for_the_fracture_energy_are_refused_by_number_group_extent
     assert_eq!(made.warnings, []);
 }
 
+/// A lined hall of concrete whose sizes along and across are these \[m\].
+fn hall(folder: &Path, near: &str, along: &str) -> Case {
+    let text = case(folder, "130 N/m", "1.2 MPa", "damage");
+    let (_, rest) = text.source.split_once("[motion]").unwrap();
+    let text = format!(
+        r#"
+title = "hall"
+[mesh.caverns]
+overburden = "40 m"
+below = "30 m"
+sides = "30 m"
+length = "3 m"
+near = "{near} m"
+far = "9 m"
+along = "{along} m"
+[[mesh.caverns.cavern]]
+name = "hall"
+width = "10.5 m"
+height = "16 m"
+arch_rise = "3.5 m"
+lining = {{ walls = "0.6 m", crown = "0.5 m" }}
+[material.rock]
+law = "elastic"
+young = "9 GPa"
+poisson = 0.25
+density = "2700 kg/m3"
+[material.concrete]
+law = "concrete-damage"
+grade = "C25/30"
+friction_angle = "46 deg"
+density = "2500 kg/m3"
+[[region]]
+groups = ["rock"]
+material = "rock"
+element = "one-point"
+[[region]]
+groups = ["hall.lining"]
+material = "concrete"
+[[region]]
+groups = ["hall.bench*"]
+material = "void"
+[motion]{rest}"#
+    );
+    let infos: Vec<LawInfo> = laws().iter().map(|l| l.info).collect();
+    Case::parse(&folder.join("case.toml"), &text, &infos).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Round a vault elements are larger than the size that is asked for: what is named has to do all the same.
+#[test]
+fn the_sizes_that_a_refusal_names_are_taken() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = setup(&hall(folder.path(), "1.5", "1.5"), &Laws::default(), Isa::best()).err().unwrap();
+    let refused = refused.to_string();
+    let between = |from: &str, to: &str| {
+        let rest = refused.split_once(from).unwrap_or_else(|| panic!("{from}: {refused}")).1;
+        rest.split_once(to).unwrap_or_else(|| panic!("{to}: {refused}")).0.to_owned()
+    };
+    let (near, along) = (between("give `near` ", " m"), between("and `along` ", " m"));
+    assert!(refused.contains("near = \"1.5 m\""), "shown where it is written: {refused}");
+    let taken = setup(&hall(folder.path(), &near, &along), &Laws::default(), Isa::best());
+    assert!(taken.is_ok(), "{near}, {along}: {}", taken.err().unwrap());
+}
+
 #[test]
 fn what_a_law_finds_unusual_and_a_field_that_none_can_fill_are_warned_of_once() {
     let folder = tempfile::tempdir().unwrap();

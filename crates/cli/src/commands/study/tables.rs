@@ -6,7 +6,8 @@ use crate::exit::Failure;
 use std::path::Path;
 use tremolite_case::study::StudyFile;
 use tremolite_results::replace_file;
-use tremolite_results::study::Study;
+use tremolite_results::study::{RunStatus, Study};
+use tremolite_study::outcome::RunFolder;
 use tremolite_study::plan::Plan;
 use tremolite_study::results::{self, Missing, Prepared};
 
@@ -18,9 +19,29 @@ pub fn write(
     out: &Path,
 ) -> Result<(Study, Vec<Missing>), Failure> {
     let (found, missing) = gathered(study, plan, planned, out);
-    replace_file(&out.join("study.csv"), results::csv(&found).as_bytes()).map_err(Failure::failed)?;
-    found.write(&out.join("study.json")).map_err(Failure::failed)?;
+    write_found(&found, out)?;
     Ok((found, missing))
+}
+
+/// The same when no more is run, with the limits of acceptance that each run's case gives: to find whether they are met takes all tables of a run.
+pub fn write_with_limits(
+    study: &StudyFile,
+    plan: &Plan,
+    planned: &[Planned],
+    out: &Path,
+) -> Result<(Study, Vec<Missing>), Failure> {
+    let (mut found, missing) = gathered(study, plan, planned, out);
+    for run in found.runs.iter_mut().filter(|run| run.status == RunStatus::Done) {
+        // Results that cannot be read are the page's to tell.
+        run.limits = tremolite_report::limits(&RunFolder::new(out, &run.name).results()).unwrap_or_default();
+    }
+    write_found(&found, out)?;
+    Ok((found, missing))
+}
+
+fn write_found(found: &Study, out: &Path) -> Result<(), Failure> {
+    replace_file(&out.join("study.csv"), results::csv(found).as_bytes()).map_err(Failure::failed)?;
+    found.write(&out.join("study.json")).map_err(Failure::failed)
 }
 
 /// The plan of some runs.

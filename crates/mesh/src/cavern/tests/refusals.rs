@@ -24,7 +24,7 @@ fn impossible_input_is_refused_with_the_key_and_the_remedy() {
         ("powerhouse.lining.layers is 0", |s| s.caverns[0].lining.layers = 0),
         ("be used once", |s| s.caverns[1].name = "powerhouse".to_owned()),
         ("be a word", |s| s.caverns[1].name = "a.b".to_owned()),
-        ("move them apart", |s| s.caverns[1].at[0] = 12.0),
+        ("move them apart by", |s| s.caverns[1].at[0] = 12.0),
         ("raise `sides`", |s| s.sides = 2.0),
         ("raise `overburden`", |s| s.caverns[1].at[1] = 220.0),
         ("near is 0.0001; it must be at least 0.13 m", |s| s.near = 1e-4),

@@ -36,9 +36,20 @@ const PLASTIC: Codes = {
   },
 };
 
+/** Which way the widest crack of an element runs: those across bars in two blues, one parallel to the wall in red. */
+const CRACKS: Codes = {
+  most: 4,
+  kinds: (
+    [[221, 225, 230], [31, 101, 168], [120, 178, 214], [200, 60, 50], [150, 150, 110]] as [number, number, number][]
+  ).map((colour, k) => ({ name: words.cracks[k], colour })),
+  kind: (code) => code,
+  words: (code) => words.cracks[code] ?? String(code),
+};
+
 /** The codes of a field; nothing where it holds sizes. */
 export function codesOf(field: string): Codes | null {
   if (field === "plastic_state") return PLASTIC;
+  if (field === "crack_direction") return CRACKS;
   return field === "state" ? PAIRS : null;
 }
 
