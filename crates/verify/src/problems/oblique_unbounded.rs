@@ -7,7 +7,7 @@
 //!
 //! Forces of nodes on a face of the box count half, on an edge a quarter, since as much of their elements is the box's.
 
-use super::oblique_waves::{GROUNDS, LARGE, Way, field_in, outer, pulse};
+use super::oblique_waves::{GROUNDS, LARGE, STEP, Way, error_of, field_in, outer, pulse};
 use crate::convergence::order;
 use crate::lattice::Lattice;
 use crate::simulation::{Simulation, whole_steps};
@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use tremolite::free_field::GivenField;
 use tremolite::waves::{LayeredGround, ObliqueField, Rock, Stratum, WaveType};
-use tremolite::{Base, Problem, Side, State, Top};
+use tremolite::{Base, Problem, Quadrature, Side, State, Top};
 use tremolite_laws::Row;
 use tremolite_mesh::boxes::BoxSpec;
 
@@ -57,8 +57,46 @@ fn run(effort: Effort) -> Result<Vec<Check>, VerifyError> {
             checks.push(Check::beside(NAME, quantity, coarse.own[at], coarse.unbounded[at], "1", note).with_order(p));
         }
     }
+    if effort == Effort::Full {
+        checks.extend(one_at_a_time()?);
+    }
     checks.extend(straight_up()?);
     Ok(checks)
+}
+
+/// The error of SV at 55° in rock where one thing is unlike: what it comes from.
+fn one_at_a_time() -> Result<Vec<Check>, VerifyError> {
+    let ground = &GROUNDS[0];
+    let way = (WaveType::Sv, 55.0, 0.0);
+    let of = |way: Way, cells: [u32; 3], finer: [u32; 3], step: f64, change: fn(&mut Problem)| -> Result<f64, VerifyError> {
+        let mut problem = ground.problem(cells, 1)?;
+        let counts = [0, 1, 2].map(|i| cells[i] * finer[i]);
+        problem.mesh = BoxSpec::uniform([0.0; 3], ground.size(cells), counts).mesh()?;
+        problem.bodies[0].elements = (0..problem.mesh.elements.len() as u32).collect();
+        change(&mut problem);
+        Ok(error_of(ground, problem, cells, way, step)?[0])
+    };
+    let [x, y, z] = LARGE;
+    let same = |_: &mut Problem| {};
+    let found = [
+        ("as it is", of(way, LARGE, [1; 3], STEP, same)?),
+        ("half the step", of(way, LARGE, [1; 3], 0.5 * STEP, same)?),
+        ("2x2x2 points", of(way, LARGE, [1; 3], STEP, |problem| problem.bodies[0].quadrature = Quadrature::Full)?),
+        ("2x2x2 points, half step", of(way, LARGE, [1; 3], 0.5 * STEP, |problem| problem.bodies[0].quadrature = Quadrature::Full)?),
+        ("no surface", of(way, LARGE, [1; 3], STEP, |problem| problem.top = Top::Viscous)?),
+        ("half as high", of(way, [x, y, z / 2], [1; 3], STEP, same)?),
+        ("half as long", of(way, [x / 2, y / 2, z], [1; 3], STEP, same)?),
+        ("twice as long", of(way, [2 * x, 2 * y, z], [1; 3], STEP, same)?),
+        ("elements half as high", of(way, LARGE, [1, 1, 2], STEP, same)?),
+        ("elements half as long in y (along)", of(way, LARGE, [1, 2, 1], STEP, same)?),
+        ("elements half as wide in x (across)", of(way, LARGE, [2, 1, 1], STEP, same)?),
+        ("all", of(way, LARGE, [2, 2, 2], STEP, same)?),
+        ("40", of((WaveType::Sv, 40.0, 0.0), LARGE, [1; 3], STEP, same)?),
+        ("40 no surface", of((WaveType::Sv, 40.0, 0.0), LARGE, [1; 3], STEP, |problem| problem.top = Top::Viscous)?),
+        ("40 half step", of((WaveType::Sv, 40.0, 0.0), LARGE, [1; 3], 0.5 * STEP, same)?),
+        ("25", of((WaveType::Sv, 25.0, 0.0), LARGE, [1; 3], STEP, same)?),
+    ];
+    Ok(found.map(|(name, found)| Check::beside(NAME, name, found, 0.0, "1", "for information")).to_vec())
 }
 
 /// Over the field's largest displacement, off the edges of the box and on them.

@@ -43,6 +43,9 @@ const POISSON: f64 = 0.3;
 /// Elements a shear wave of the highest frequency.
 const ELEMENTS: f64 = 12.0;
 
+/// Of the stable step.
+pub(super) const STEP: f64 = 0.9;
+
 /// Ground: thicknesses upwards over the whole, speeds of shear waves \[m/s\], densities \[kg/m³\].
 pub(super) struct Ground {
     name: &'static str,
@@ -249,12 +252,22 @@ pub(super) fn field_in(
 /// Difference of the model from the field over the field's largest displacement, at every third step: the largest of any node off
 /// the edges of the box, of any there, and the root mean square.
 fn error(ground: &Ground, cells: [u32; 3], way: Way, finer: u32) -> Result<[f64; 3], VerifyError> {
-    let mut problem = ground.problem(cells, finer)?;
+    error_of(ground, ground.problem(cells, finer)?, cells, way, STEP)
+}
+
+/// The same of a problem whose box has the size of so many elements, in steps of a share of the stable one.
+pub(super) fn error_of(
+    ground: &Ground,
+    mut problem: Problem,
+    cells: [u32; 3],
+    way: Way,
+    step: f64,
+) -> Result<[f64; 3], VerifyError> {
     let field = Arc::new(field(ground, ground.size(cells), &problem, way)?);
     problem.free_field = Some(field.clone());
     let (_, duration) = pulse(0)?;
     let simulation = Simulation::new(problem)?;
-    let (steps, dt) = whole_steps(field.lead() + duration, 0.9 * simulation.stable());
+    let (steps, dt) = whole_steps(field.lead() + duration, step * simulation.stable());
     let nodes: Vec<[f64; 3]> = (0..simulation.model.mesh_node.len()).map(|n| simulation.position(n)).collect();
     let size = ground.size(cells);
     let on_edge: Vec<usize> = nodes.iter().map(|&at| usize::from(outer(size, at) > 1)).collect();
