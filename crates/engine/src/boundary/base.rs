@@ -30,58 +30,72 @@ impl BaseNode {
     fn is_sprung(&self) -> bool {
         self.spring != [0.0; 6]
     }
+}
 
-    /// u − u_ff \[m\]; `given` is u_ff of a given field here.
-    fn scattered(&self, now: &Now, given: [f64; 3], u: &[Row]) -> [f64; 3] {
-        now.scattered(&self.place, u[self.node as usize].xyz(), given, u)
-    }
+/// A node that springs hold.
+struct Sprung {
+    /// Its place among the part's nodes.
+    at: usize,
+    /// N/m
+    matrix: [f64; 6],
+    /// Where it asks for the free field, beside its points.
+    place: Place,
 }
 
 /// Push of the free field, and springs.
 pub struct BasePart {
     nodes: Vec<u32>,
-    pushed: Vec<BaseNode>,
     free_field: FreeField,
-    /// Where springs are, in the order of their nodes.
-    sprung: Vec<Spot>,
-    /// Of a given free field.
-    pushes: Option<Box<dyn Pushes>>,
+    pushes: Push,
+    sprung: Vec<Sprung>,
+    /// Where those are.
+    spots: Vec<Spot>,
+}
+
+/// Where a part has from what its nodes are pushed with.
+enum Push {
+    /// Matrices of dashpots, which the rate of a wave that rises is put on.
+    Dashpots(Vec<[f64; 6]>),
+    Field(Box<dyn Pushes>),
 }
 
 impl BasePart {
-    pub fn new(mut pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
-        let spot = |at| match &free_field {
-            FreeField::Given(field) => field.spot(at),
-            FreeField::Beside(_) => Spot::anywhere(at),
-        };
+    pub fn new(pushed: Vec<BaseNode>, free_field: FreeField) -> Self {
         let pushes = match &free_field {
             FreeField::Given(field) => {
                 let places: Vec<&Place> = pushed.iter().map(|base| &base.place).collect();
                 let own = field.pushes(&places);
-                Some(own.unwrap_or_else(|| Box::new(AtPoints::new(field.clone(), &places))))
+                Push::Field(own.unwrap_or_else(|| Box::new(AtPoints::new(field.clone(), &places))))
             }
-            FreeField::Beside(_) => None,
+            FreeField::Beside(_) => Push::Dashpots(pushed.iter().map(|base| base.dashpot).collect()),
         };
-        let sprung = pushed.iter().filter(|base| base.is_sprung()).map(|base| spot(base.place.at)).collect();
-        for base in &mut pushed {
-            (base.place.shares, base.place.ends) = (Vec::new(), Vec::new());
-        }
-        let nodes = pushed.iter().map(|b| b.node).collect();
-        BasePart { nodes, pushed, free_field, sprung, pushes }
+        let nodes = pushed.iter().map(|base| base.node).collect();
+        let sprung = pushed.into_iter().enumerate().filter(|(_, base)| base.is_sprung());
+        let sprung: Vec<Sprung> = sprung
+            .map(|(at, base)| {
+                let place = Place { at: base.place.at, bottoms: base.place.bottoms, ..Place::default() };
+                Sprung { at, matrix: base.spring, place }
+            })
+            .collect();
+        let spot = |sprung: &Sprung| match &free_field {
+            FreeField::Given(field) => field.spot(sprung.place.at),
+            FreeField::Beside(_) => Spot::anywhere(sprung.place.at),
+        };
+        let spots = sprung.iter().map(spot).collect();
+        BasePart { nodes, free_field, pushes, sprung, spots }
     }
 
     /// What the free field pushes each node with, beside what its dashpots follow \[N\].
     fn pushed(&self, now: &Now) -> Vec<[f64; 3]> {
-        let mut out = vec![[0.0; 3]; self.pushed.len()];
+        let mut out = vec![[0.0; 3]; self.nodes.len()];
         match (now, &self.pushes) {
-            (Now::Given(_, time), Some(pushes)) => pushes.forces(*time, &mut out),
-            (Now::Given(..), None) => {}
+            (Now::Given(_, time), Push::Field(pushes)) => pushes.forces(*time, &mut out),
             // 2 C v_i.
-            (Now::Rising(velocity), _) => {
+            (Now::Rising(velocity), Push::Dashpots(dashpots)) => {
                 let twice = velocity.map(|v| 2.0 * v);
-                let pairs = out.iter_mut().zip(&self.pushed);
-                pairs.for_each(|(out, base)| *out = times(&base.dashpot, twice));
+                out.iter_mut().zip(dashpots).for_each(|(out, dashpot)| *out = times(dashpot, twice));
             }
+            (Now::Given(..), Push::Dashpots(_)) | (Now::Rising(_), Push::Field(_)) => {}
         }
         out
     }
@@ -96,23 +110,25 @@ impl Part for BasePart {
     }
 
     fn bytes(&self) -> usize {
-        let BasePart { nodes, pushed, sprung, pushes, .. } = self;
-        let pushes = pushes.as_ref().map_or(0, |pushes| pushes.bytes());
-        size_of_val(&nodes[..]) + size_of_val(&pushed[..]) + size_of_val(&sprung[..]) + pushes
+        let BasePart { nodes, pushes, sprung, spots, .. } = self;
+        let pushes = match pushes {
+            Push::Dashpots(dashpots) => size_of_val(&dashpots[..]),
+            Push::Field(pushes) => pushes.bytes(),
+        };
+        size_of_val(&nodes[..]) + size_of_val(&sprung[..]) + size_of_val(&spots[..]) + pushes
     }
 
     /// The bottoms of the columns whose motion is the free field, from which springs count.
     fn reads(&self) -> Reads {
-        let sprung = self.pushed.iter().filter(|base| base.is_sprung());
-        let mut nodes: Vec<u32> =
-            sprung.flat_map(|base| &base.place.bottoms).map(|(node, _)| *node).collect();
+        let bottoms = self.sprung.iter().flat_map(|sprung| &sprung.place.bottoms);
+        let mut nodes: Vec<u32> = bottoms.map(|(node, _)| *node).collect();
         nodes.sort_unstable();
         nodes.dedup();
         Reads { nodes, ..Reads::default() }
     }
 
     fn state_sizes(&self) -> StateSizes {
-        StateSizes { numbers: REMEMBERED * self.pushed.len(), ..StateSizes::default() }
+        StateSizes { numbers: REMEMBERED * self.nodes.len(), ..StateSizes::default() }
     }
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
@@ -120,44 +136,52 @@ impl Part for BasePart {
         let pushes = self.free_field.line();
         let mut work = Lines::default();
         let pushed = self.pushed(&now);
-        let mut given = now.displacements(&self.sprung).into_iter();
-        let last = own.numbers.chunks_exact_mut(REMEMBERED);
-        for (((base, push), out), last) in self.pushed.iter().zip(pushed).zip(out).zip(last) {
-            let du = x.increment(base.node).xyz();
-            let push = push.map(|f| -f);
-            let mut spring = [0.0; 3];
-            if base.is_sprung() {
-                let scattered = base.scattered(&now, given.next().unwrap_or_default(), x.u);
-                spring = times(&base.spring, scattered);
-                let before = times(&base.spring, [last[0], last[1], last[2]]);
-                for i in 0..3 {
-                    work[Line::Springs] += 0.5 * (spring[i] + before[i]) * du[i];
-                    last[i] = scattered[i];
-                }
-            }
+        let mut sum = 0.0;
+        let remembered = own.numbers.chunks_exact_mut(REMEMBERED);
+        for (((&node, push), out), last) in self.nodes.iter().zip(pushed).zip(out.iter_mut()).zip(remembered) {
+            let du = x.increment(node);
             for i in 0..3 {
-                work[pushes] += 0.5 * (push[i] + last[3 + i]) * du[i];
-                last[3 + i] = push[i];
-                out.0[i] = spring[i] + push[i];
+                let push = -push[i];
+                sum += 0.5 * (push + last[3 + i]) * du.0[i];
+                last[3 + i] = push;
+                out.0[i] = push;
             }
         }
+        work[pushes] += sum;
+        let mut sum = 0.0;
+        for (sprung, given) in self.sprung.iter().zip(now.displacements(&self.spots)) {
+            let node = self.nodes[sprung.at];
+            let last = &mut own.numbers[REMEMBERED * sprung.at..][..3];
+            let du = x.increment(node);
+            let scattered = now.scattered(&sprung.place, x.u[node as usize].xyz(), given, x.u);
+            let spring = times(&sprung.matrix, scattered);
+            let before = times(&sprung.matrix, [last[0], last[1], last[2]]);
+            for i in 0..3 {
+                sum += 0.5 * (spring[i] + before[i]) * du.0[i];
+                last[i] = scattered[i];
+                out[sprung.at].0[i] += spring[i];
+            }
+        }
+        work[Line::Springs] += sum;
         work
     }
 
     /// ½(u − u_ff)·K(u − u_ff).
     fn energy(&self, _: &Motion, kept: Kept) -> Lines {
         let mut held = Lines::default();
-        for (base, last) in self.pushed.iter().zip(kept.numbers.chunks_exact(REMEMBERED)) {
+        for sprung in &self.sprung {
+            let last = &kept.numbers[REMEMBERED * sprung.at..];
             let d = [last[0], last[1], last[2]];
-            let force = times(&base.spring, d);
+            let force = times(&sprung.matrix, d);
             held[Line::Springs] += 0.5 * (force[0] * d[0] + force[1] * d[1] + force[2] * d[2]);
         }
         held
     }
 
     fn stiffness_times(&self, w: &[Row], out: &mut [Row], _: &mut Scratch) {
-        for (base, out) in self.pushed.iter().zip(out) {
-            *out = Row::new(times(&base.spring, w[base.node as usize].xyz()));
+        out.fill(Row::ZERO);
+        for Sprung { at, matrix, .. } in &self.sprung {
+            out[*at] = Row::new(times(matrix, w[self.nodes[*at] as usize].xyz()));
         }
     }
 }

@@ -108,18 +108,20 @@ impl Pushed {
 impl Pushes for Pushed {
     fn forces(&self, time: f64, out: &mut [[f64; 3]]) {
         let count = self.reads.iter().map(|read| read.sums.len() + read.alone.len()).sum();
-        let mut rows: Vec<[f64; 4]> = Vec::with_capacity(count);
+        let mut rows = vec![[0.0; 4]; count];
+        let mut rest = &mut rows[..];
         for Read { series, known, start, sums, alone } in &self.reads {
             let place = (time - start) / series.dt();
-            rows.extend(sums.iter().map(|&(number, late)| known.rows.at(number, place - late)));
-            rows.extend(alone.iter().map(|Alone { late, term }| {
+            let (of_sums, others) = std::mem::take(&mut rest).split_at_mut(sums.len());
+            known.rows.read(sums, place, of_sums);
+            let (of_alone, others) = others.split_at_mut(alone.len());
+            for (force, Alone { late, term }) in of_alone.iter_mut().zip(alone) {
                 let stress = series.stress_of(term.height, place - late);
-                let mut force = [0.0; 4];
                 for (of, s) in term.of.iter().zip(stress) {
                     (0..4).for_each(|i| force[i] += s * of[i]);
                 }
-                force
-            }));
+            }
+            rest = others;
         }
         let mut begin = 0;
         for (out, &end) in out.iter_mut().zip(&self.ends) {

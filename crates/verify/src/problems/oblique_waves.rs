@@ -39,9 +39,9 @@ const HIGHEST: f64 = 2.21 * FREQUENCY;
 /// Elements of the box, of the coarser mesh: of tests, and of what takes longer; upwards whole quarters.
 const SMALL: [u32; 3] = [6, 5, 8];
 pub(super) const LARGE: [u32; 3] = [14, 10, 16];
-const POISSON: f64 = 0.3;
+pub(super) const POISSON: f64 = 0.3;
 /// Elements a shear wave of the highest frequency.
-const ELEMENTS: f64 = 12.0;
+pub(super) const ELEMENTS: f64 = 12.0;
 
 /// Of the stable step.
 pub(super) const STEP: f64 = 0.9;
@@ -252,17 +252,18 @@ pub(super) fn field_in(
 /// Difference of the model from the field over the field's largest displacement, at every third step: the largest of any node off
 /// the edges of the box, of any there, and the root mean square.
 fn error(ground: &Ground, cells: [u32; 3], way: Way, finer: u32) -> Result<[f64; 3], VerifyError> {
-    error_of(ground, ground.problem(cells, finer)?, cells, way, STEP)
+    Ok(error_of(ground, ground.problem(cells, finer)?, cells, way, STEP)?.0)
 }
 
-/// The same of a problem whose box has the size of so many elements, in steps of a share of the stable one.
+/// The same of a problem whose box has the size of so many elements, in steps of a share of the stable one; and the field's largest displacement
+/// \[m\].
 pub(super) fn error_of(
     ground: &Ground,
     mut problem: Problem,
     cells: [u32; 3],
     way: Way,
     step: f64,
-) -> Result<[f64; 3], VerifyError> {
+) -> Result<([f64; 3], f64), VerifyError> {
     let field = Arc::new(field(ground, ground.size(cells), &problem, way)?);
     problem.free_field = Some(field.clone());
     let (_, duration) = pulse(0)?;
@@ -291,7 +292,7 @@ pub(super) fn error_of(
     // A maximum passes over what is no number, a sum does not.
     let mean = f64::sqrt(sum / count);
     let [inside, edges] = worst.map(|worst| if mean.is_nan() { mean } else { worst / peak });
-    Ok([inside, edges, mean / peak])
+    Ok(([inside, edges, mean / peak], peak))
 }
 
 /// A vertical SV wave through a column with periodic sides, into which its field comes through the base, and one into which a wave rises there:
