@@ -138,7 +138,8 @@ impl Part for BasePart {
         let pushed = self.pushed(&now);
         let mut sum = 0.0;
         let remembered = own.numbers.chunks_exact_mut(REMEMBERED);
-        for (((&node, push), out), last) in self.nodes.iter().zip(pushed).zip(out.iter_mut()).zip(remembered) {
+        for (((&node, push), out), last) in self.nodes.iter().zip(pushed).zip(out.iter_mut()).zip(remembered)
+        {
             let du = x.increment(node);
             for i in 0..3 {
                 let push = -push[i];

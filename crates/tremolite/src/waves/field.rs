@@ -135,7 +135,14 @@ impl ObliqueField {
             let p = wave.heading.slowness(&frame.ground.below());
             let slowness = wave.heading.along.map(|h| p * h);
             let (base, height) = (frame.bounds[0][2], frame.ground.height());
-            all.push(OneWave { heading: wave.heading, slowness, at: frame.at, base, height, series: Arc::new(series) });
+            all.push(OneWave {
+                heading: wave.heading,
+                slowness,
+                at: frame.at,
+                base,
+                height,
+                series: Arc::new(series),
+            });
         }
         // Whole samples, so that the record on the time of the run is the record.
         let sample = waves.first().map_or(0.0, |wave| wave.motion.dt);

@@ -55,7 +55,9 @@ impl Rows {
             for ((weights, sample), (_, late)) in weights.iter_mut().zip(&mut samples).zip(sums) {
                 (*sample, *weights) = self.cell(place - late);
             }
-            for ((out, (number, _)), (weights, &sample)) in out.iter_mut().zip(sums).zip(weights.iter().zip(&samples)) {
+            for ((out, (number, _)), (weights, &sample)) in
+                out.iter_mut().zip(sums).zip(weights.iter().zip(&samples))
+            {
                 *out = self.weighted(*number, sample, weights);
             }
         }
@@ -88,7 +90,15 @@ impl Rows {
         let sample = (place as u32).min(self.samples as u32 - 2);
         let x = (place - f64::from(sample)).min(1.0);
         let (y, on_x) = (on * (1.0 - x), on * x);
-        (sample, [y * (1.0 - x) * (1.0 + 2.0 * x), x * y * (1.0 - x), on_x * x * (3.0 - 2.0 * x), -on_x * x * (1.0 - x)])
+        (
+            sample,
+            [
+                y * (1.0 - x) * (1.0 + 2.0 * x),
+                x * y * (1.0 - x),
+                on_x * x * (3.0 - 2.0 * x),
+                -on_x * x * (1.0 - x),
+            ],
+        )
     }
 
     #[inline(always)]

@@ -167,7 +167,9 @@ impl Series {
         let (level, cell, y) = self.grid.cell(height);
         let [z0, z1] = hermite(y).map(|[value, slope]| [value, slope * cell]);
         let row = kept.len() / (self.grid.count() * self.samples);
-        let at = |level: usize| kept[level * self.samples * row..(level + 1) * self.samples * row].chunks_exact(row);
+        let at = |level: usize| {
+            kept[level * self.samples * row..(level + 1) * self.samples * row].chunks_exact(row)
+        };
         for ((sum, below), above) in sum.iter_mut().zip(at(level)).zip(at(level + 1)) {
             for ((below, above), of) in below.chunks_exact(KEPT).zip(above.chunks_exact(KEPT)).zip(of) {
                 let [a, b] = [below, above].map(|k| [0, 1, 2, 3].map(|i| f64::from(k[i])));

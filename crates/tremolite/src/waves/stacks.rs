@@ -65,7 +65,11 @@ impl Stacking {
                 let [x, y, z] = force(&stress);
                 [x, y, z, 0.0]
             });
-            points.push(([rounded(late, DELAYS), rounded(height / self.height, HEIGHTS)], late, Term { height, of }));
+            points.push((
+                [rounded(late, DELAYS), rounded(height / self.height, HEIGHTS)],
+                late,
+                Term { height, of },
+            ));
         };
         place.shares.iter().for_each(|&(at, area)| point(at, &|stress| times(stress, area)));
         place.ends.iter().for_each(|end| point(end.at, &|stress| end.force(stress)));

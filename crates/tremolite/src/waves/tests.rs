@@ -413,7 +413,9 @@ fn places() -> Vec<Place> {
         let at = [60.0, 9.0 * f64::from(j), 11.0 * f64::from(k)];
         let near = [-0.4, 0.3].into_iter().flat_map(|y| [-0.6, 0.2, 0.9].map(|z| (y, z)));
         let shares = near
-            .map(|(y, z)| ([at[0], at[1] + 9.0 * y, (at[2] + 11.0 * z).max(0.0)], [(1.0 + y) * (2.0 - z), 0.0, 0.0]))
+            .map(|(y, z)| {
+                ([at[0], at[1] + 9.0 * y, (at[2] + 11.0 * z).max(0.0)], [(1.0 + y) * (2.0 - z), 0.0, 0.0])
+            })
             .collect();
         places.push(Place { at, shares, ..Place::default() });
     }

@@ -6,6 +6,9 @@
 //! of its own would leave this. Boundaries that are driven by the exact field may leave less, since they pull a late wave on.
 //!
 //! Forces of nodes on a face of the box count half, on an edge a quarter, since as much of their elements is the box's.
+//!
+//! In full, SV at 55° along an axis of the mesh is tried with one thing unlike at a time, and its error is set beside that straight up: the lag of the mesh makes
+//! 2.3 of it, a box whose sides are pulled less 2.8.
 
 use super::oblique_waves::{ELEMENTS, GROUNDS, LARGE, POISSON, STEP, Way, error_of, field_in, outer, pulse};
 use crate::convergence::order;
