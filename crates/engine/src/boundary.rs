@@ -4,6 +4,7 @@
 //! are filled in here; one that pushes with more is a part in a file below this one, made in [`members`].
 
 mod asked;
+mod at_points;
 pub mod base;
 pub mod bed;
 mod face_shares;

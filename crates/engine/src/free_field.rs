@@ -31,19 +31,24 @@ pub trait GivenField: Send + Sync {
         [0, 1, 2].map(|i| (after[i] - before[i]) / (2.0 * dt))
     }
 
-    /// Says at which heights \[m\] it will be asked for: displacement and velocity at nodes, stresses at points of faces, some of them more
-    /// than once. It may keep at hand what is there; elsewhere its answers are as good.
-    fn prepare(&self, nodes: &[f64], points: &[f64]) {
-        let _ = (nodes, points);
+    /// Says at which places boundaries of a model will ask, in every step. It may keep at hand what is needed there; elsewhere its answers
+    /// are as good.
+    fn prepare(&self, places: &[&Place]) {
+        let _ = places;
     }
 
-    /// A place with what the field knows of it, once it is [prepared](GivenField::prepare): of displacements and velocities, or of stresses.
-    fn spot(&self, at: [f64; 3], of: Asked) -> Spot {
-        let _ = of;
+    /// A place with what the field knows of it, once it is [prepared](GivenField::prepare).
+    fn spot(&self, at: [f64; 3]) -> Spot {
         Spot::anywhere(at)
     }
 
-    /// u_ff \[m\] at spots of [motion](Asked::Motion), as many as there is room for.
+    /// What it pushes some places with, of those that it is prepared for, if it has a quicker way to that than stresses at all their points.
+    fn pushes(&self, places: &[&Place]) -> Option<Box<dyn Pushes>> {
+        let _ = places;
+        None
+    }
+
+    /// u_ff \[m\] at spots, as many as there is room for.
     fn displacements(&self, spots: &[Spot], time: f64, out: &mut [[f64; 3]]) {
         out.iter_mut().zip(spots).for_each(|(u, spot)| *u = self.displacement(spot.at, time));
     }
@@ -53,24 +58,20 @@ pub trait GivenField: Send + Sync {
         out.iter_mut().zip(spots).for_each(|(v, spot)| *v = self.velocity(spot.at, time, dt));
     }
 
-    /// σ_ff \[Pa\] at spots of [stress](Asked::Stress).
-    fn stresses(&self, spots: &[Spot], time: f64, out: &mut [[f64; 6]]) {
-        out.iter_mut().zip(spots).for_each(|(stress, spot)| *stress = self.stress(spot.at, time));
-    }
-
     /// The largest velocity that any place has at any time, or a bound on it \[m/s\]: the guard goes by it before energy comes in.
     fn peak_velocity(&self) -> f64;
 }
 
-/// What a boundary asks a given field for at a place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Asked {
-    /// Displacement and velocity.
-    Motion,
-    Stress,
+/// What a given field pushes some places with.
+pub trait Pushes: Send + Sync {
+    /// ∫ N σ_ff·n dA \[N\] of each place at a time \[s\], with what it takes beside at its [ends](Place::ends).
+    fn forces(&self, time: f64, out: &mut [[f64; 3]]);
+
+    /// What it takes of memory, beside what the field has.
+    fn bytes(&self) -> usize;
 }
 
-/// A place at which a boundary asks in every step.
+/// A place at which a boundary asks for motion in every step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spot {
     /// m
@@ -248,43 +249,5 @@ impl Now<'_> {
             }
         }
         u
-    }
-
-    /// The stresses \[Pa\] at some spots; none of a wave that rises, which has no use for them.
-    pub fn stresses(&self, spots: &[Spot]) -> Vec<[f64; 6]> {
-        match self {
-            Now::Rising(_) => Vec::new(),
-            Now::Given(field, time) => {
-                let mut out = vec![[0.0; 6]; spots.len()];
-                field.stresses(spots, *time, &mut out);
-                out
-            }
-        }
-    }
-
-    /// What the free field pushes with at a place where the dashpots have the matrix C \[N s/m\], beside what they follow \[N\]:
-    /// ∫ N σ_ff·n dA of a given field, 2 C v_i of a wave that rises. `tractions` are those at its points, each with N dA \[m²\],
-    /// `ends` what it takes beside, each with the stress at its point.
-    pub fn push<'a>(
-        &self,
-        dashpot: &[f64; 6],
-        tractions: impl Iterator<Item = (&'a Row, f64)>,
-        ends: impl Iterator<Item = (&'a End, &'a [f64; 6])>,
-    ) -> [f64; 3] {
-        match self {
-            Now::Rising(velocity) => times(dashpot, velocity.map(|v| 2.0 * v)),
-            Now::Given(..) => {
-                let mut sum = Row::ZERO;
-                for (traction, area) in tractions {
-                    (0..4).for_each(|i| sum.0[i] += area * traction.0[i]);
-                }
-                let mut sum = sum.xyz();
-                for (end, stress) in ends {
-                    let force = end.force(stress);
-                    (0..3).for_each(|i| sum[i] += force[i]);
-                }
-                sum
-            }
-        }
     }
 }

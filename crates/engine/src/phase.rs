@@ -12,7 +12,7 @@ use crate::boundary;
 use crate::boundary::matrix::add;
 use crate::contacts::Contacts;
 use crate::error::ModelError;
-use crate::free_field::{Asked, Leader, Spot};
+use crate::free_field::{Leader, Spot};
 use crate::interface::Seam;
 use crate::life::Stage;
 use crate::member::{Kind, Member};
@@ -143,7 +143,7 @@ fn given(model: &Model, leaders: &[Leader]) -> Vec<Spot> {
     let Some(field) = &model.boundaries.free_field else { return Vec::new() };
     let given = leaders.iter().take_while(|leader| matches!(leader, Leader::Given(_)));
     let at = |leader: &Leader| model.mesh.nodes[model.mesh_node[leader.node() as usize] as usize];
-    given.map(|leader| field.spot(at(leader), Asked::Motion)).collect()
+    given.map(|leader| field.spot(at(leader))).collect()
 }
 
 impl Phase {

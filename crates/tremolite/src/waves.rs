@@ -13,9 +13,13 @@ pub mod heading;
 pub mod heights;
 pub mod modes;
 mod pore_water;
+mod prepared;
+mod pushed;
 pub mod resolved;
 pub mod rock;
+pub mod rows;
 pub mod series;
+mod stacks;
 pub mod surface;
 
 pub use field::{Entering, Frame, ObliqueField, Unsuitable};

@@ -32,9 +32,7 @@ pub struct Members {
 pub fn members(around: Surroundings) -> Result<Members, ModelError> {
     let mut out = base_nodes(around)?;
     if let Some(field) = &around.asked.free_field {
-        let nodes: Vec<f64> = out.base.iter().map(|base| base.place.at[2]).collect();
-        let shares = out.base.iter().flat_map(|base| &base.place.shares);
-        field.prepare(&nodes, &shares.map(|(at, _)| at[2]).collect::<Vec<_>>());
+        field.prepare(&out.base.iter().map(|base| &base.place).collect::<Vec<_>>());
     }
     // Shares of faces go to the parts: the phases need none, and they are the most of a given field's memory beside its series.
     let whole = |base: &mut BaseNode| {

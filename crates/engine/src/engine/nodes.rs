@@ -170,13 +170,22 @@ pub(super) fn given(
     let velocities = |places: &[u32]| -> Vec<[f64; 3]> {
         let mut found = vec![[0.0; 3]; places.len()];
         let Some(time) = time else { return found };
-        let spots: Vec<Spot> = places.iter().map(|&place| phase.given[place as usize]).collect();
         let mut first = 0;
         // Those of a level have one step.
         for alike in places.chunk_by(|a, b| level(a) == level(b)) {
             let dt = dt * span(level(&alike[0])) as f64;
-            let of = first..first + alike.len();
-            field.velocities(&spots[of.clone()], time, dt, &mut found[of]);
+            let found = &mut found[first..first + alike.len()];
+            let from = alike[0] as usize;
+            match phase.given.get(from..from + alike.len()) {
+                // Each follows the one before: nothing is gathered.
+                Some(spots) if alike[alike.len() - 1] as usize + 1 == from + alike.len() => {
+                    field.velocities(spots, time, dt, found);
+                }
+                _ => {
+                    let spots: Vec<Spot> = alike.iter().map(|&place| phase.given[place as usize]).collect();
+                    field.velocities(&spots, time, dt, found);
+                }
+            }
             first += alike.len();
         }
         found

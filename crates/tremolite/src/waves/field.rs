@@ -1,13 +1,15 @@
 //! The free field of one or several plane waves, at every place of a model's boundaries.
 
-use super::answered::{Signal, components};
+use super::answered::Signal;
 use super::grid::Grid;
 use super::ground::LayeredGround;
-use super::heading::{Heading, WaveType};
-use super::heights::{self, AtHeights, Heights};
+use super::heading::Heading;
+use super::prepared::{OneWave, Prepared};
+use super::pushed::{Known, Pushed, Source};
+use super::rows::Rows;
 use super::series::{Rings, Series, arrives, bytes};
 use std::sync::{Arc, OnceLock};
-use tremolite_engine::free_field::{Asked, GivenField, Spot};
+use tremolite_engine::free_field::{GivenField, Place, Pushes, Spot};
 use tremolite_motion::{Complex64, Motion};
 
 /// A wave as it enters.
@@ -61,37 +63,15 @@ pub struct Unsuitable {
     pub rings: Rings,
 }
 
-/// One wave.
-struct OneWave {
-    heading: Heading,
-    /// p h \[s/m\]
-    slowness: [f64; 2],
-    series: Series,
-}
-
 /// The sum of plane waves.
 pub struct ObliqueField {
     waves: Vec<OneWave>,
-    at: [f64; 2],
+    /// m
     base: f64,
-    /// Of the ground \[m\].
-    height: f64,
     lead: f64,
     late: f64,
     prepared: OnceLock<Prepared>,
 }
-
-/// What is at hand for the heights that a model asks for.
-struct Prepared {
-    /// Above the base: where displacements are asked for, and where stresses are.
-    nodes: Heights,
-    points: Heights,
-    /// Of each wave both.
-    waves: Vec<[AtHeights; 2]>,
-}
-
-/// Memory for the heights of a model over that of the series: more is left to the series alone.
-const MOST_PREPARED: usize = 2;
 
 impl Frame {
     /// The later a wave comes to the corners than to the reference point, least and most \[s\].
@@ -153,15 +133,23 @@ impl ObliqueField {
             lead = lead.max(-least - series.start);
             late = late.max(most);
             let p = wave.heading.slowness(&frame.ground.below());
-            all.push(OneWave { heading: wave.heading, slowness: wave.heading.along.map(|h| p * h), series });
+            let slowness = wave.heading.along.map(|h| p * h);
+            let (base, height) = (frame.bounds[0][2], frame.ground.height());
+            all.push(OneWave {
+                heading: wave.heading,
+                slowness,
+                at: frame.at,
+                base,
+                height,
+                series: Arc::new(series),
+            });
         }
         // Whole samples, so that the record on the time of the run is the record.
         let sample = waves.first().map_or(0.0, |wave| wave.motion.dt);
         if sample > 0.0 {
             lead = (lead / sample * (1.0 - 1e-12)).ceil() * sample;
         }
-        let (base, height) = (frame.bounds[0][2], frame.ground.height());
-        Ok(ObliqueField { waves: all, at: frame.at, base, height, lead, late, prepared: OnceLock::new() })
+        Ok(ObliqueField { waves: all, base: frame.bounds[0][2], lead, late, prepared: OnceLock::new() })
     }
 
     /// By how much the field is later than the records \[s\], so that nothing moves at time 0; samples of the first record.
@@ -176,54 +164,62 @@ impl ObliqueField {
 
     /// What the series take of memory.
     pub fn bytes(&self) -> usize {
-        let prepared = self.prepared.get().into_iter().flat_map(|prepared| prepared.waves.iter().flatten());
         self.waves.iter().map(|wave| wave.series.bytes()).sum::<usize>()
-            + prepared.map(AtHeights::bytes).sum::<usize>()
+            + self.prepared.get().map_or(0, Prepared::bytes)
     }
 
-    /// Time on that of a wave's series.
-    fn time(&self, wave: &OneWave, at: [f64; 3], time: f64) -> f64 {
-        let [px, py] = wave.slowness;
-        time - self.lead - px * (at[0] - self.at[0]) - py * (at[1] - self.at[1])
+    /// Samples of a wave's series since its first, where it is not later.
+    fn place(&self, wave: &OneWave, time: f64) -> f64 {
+        (time - self.lead - wave.series.start) / wave.series.dt()
     }
-}
 
-impl OneWave {
-    /// Components of displacement \[m\], or of stress \[Pa\], at a spot and a time of the series \[s\].
+    /// What pushes places, with what is known of each wave.
+    fn pushed(&self, places: &[&Place], known: &[Arc<Known>]) -> Box<dyn Pushes> {
+        let source = |(wave, known): (&OneWave, &Arc<Known>)| Source {
+            series: wave.series.clone(),
+            known: Arc::clone(known),
+            stacking: wave.stacking(),
+            start: self.lead + wave.series.start,
+        };
+        Box::new(Pushed::new(self.waves.iter().zip(known).map(source).collect(), places))
+    }
+
+    /// What pushes places, where no more sums than so many are kept of a wave.
+    #[cfg(test)]
+    pub(super) fn with_sums_of(&self, most: usize, places: &[&Place]) -> Box<dyn Pushes> {
+        let known = |wave| Arc::new(super::prepared::known(wave, places, most));
+        self.pushed(places, &self.waves.iter().map(known).collect::<Vec<_>>())
+    }
+
+    /// How many sums are kept of what pushes places, of all waves.
+    #[cfg(test)]
+    pub(super) fn sums(&self) -> usize {
+        let known = self.prepared.get().into_iter().flat_map(|prepared| prepared.pushes());
+        known.map(|known| known.numbers.len()).sum()
+    }
+
+    /// Makes of each spot the sum of what each wave does there: `ready` by the number of the height and the samples by which the wave is later,
+    /// `elsewhere` by the height \[m\] above the base and those samples.
     #[inline(always)]
-    fn there<const V: usize>(
+    fn each(
         &self,
-        ready: Option<&AtHeights>,
-        height: f64,
-        number: u32,
-        time: f64,
-        of: Asked,
-    ) -> [f64; V] {
-        match (ready, of) {
-            (Some(ready), _) if number != Spot::UNKNOWN => ready.at(number as usize, time),
-            (_, Asked::Motion) => self.series.displacement(height, time),
-            (_, Asked::Stress) => self.series.stress(height, time),
-        }
-    }
-}
-
-impl ObliqueField {
-    /// Calls back for each wave, with its components at each spot.
-    #[inline(always)]
-    fn each<const V: usize>(
-        &self,
-        wave: usize,
         spots: &[Spot],
-        time: f64,
-        of: Asked,
-        mut add: impl FnMut(usize, [f64; V]),
+        out: &mut [[f64; 3]],
+        ready: impl Fn(usize, &Rows, u32, f64) -> [f64; 4],
+        elsewhere: impl Fn(usize, f64, f64) -> [f64; 4],
     ) {
-        let own = &self.waves[wave];
-        let ready =
-            self.prepared.get().map(|prepared| &prepared.waves[wave][usize::from(of == Asked::Stress)]);
-        for (k, spot) in spots.iter().enumerate() {
-            let time = self.time(own, spot.at, time);
-            add(k, own.there(ready, spot.at[2] - self.base, spot.height, time, of));
+        out.fill([0.0; 3]);
+        for (k, wave) in self.waves.iter().enumerate() {
+            let rows = self.prepared.get().map(|prepared| prepared.motion(k));
+            let [px, py] = wave.slowness.map(|p| p / wave.series.dt());
+            for (spot, out) in spots.iter().zip(out.iter_mut()) {
+                let late = px * (spot.at[0] - wave.at[0]) + py * (spot.at[1] - wave.at[1]);
+                let u = match rows {
+                    Some(rows) if spot.height != Spot::UNKNOWN => ready(k, rows, spot.height, late),
+                    _ => elsewhere(k, spot.at[2] - self.base, late),
+                };
+                (0..3).for_each(|i| out[i] += u[i]);
+            }
         }
     }
 }
@@ -231,93 +227,60 @@ impl ObliqueField {
 impl GivenField for ObliqueField {
     fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
         let mut out = [[0.0; 3]];
-        self.displacements(&[self.spot(at, Asked::Motion)], time, &mut out);
+        self.displacements(&[self.spot(at)], time, &mut out);
         out[0]
     }
 
     fn stress(&self, at: [f64; 3], time: f64) -> [f64; 6] {
-        let mut out = [[0.0; 6]];
-        self.stresses(&[self.spot(at, Asked::Stress)], time, &mut out);
-        out[0]
+        let mut out = [0.0; 6];
+        for wave in &self.waves {
+            let place = self.place(wave, time) - wave.stacking().late(at);
+            let found = wave.series.stress_of(at[2] - self.base, place);
+            for (of, s) in wave.heading.stress().iter().zip(found) {
+                (0..6).for_each(|i| out[i] += s * of[i]);
+            }
+        }
+        out
     }
 
-    fn spot(&self, at: [f64; 3], of: Asked) -> Spot {
-        let number = self.prepared.get().and_then(|prepared| {
-            let heights = if of == Asked::Stress { &prepared.points } else { &prepared.nodes };
-            heights.find(at[2] - self.base)
-        });
-        Spot { at, height: number.map_or(Spot::UNKNOWN, |number| number as u32) }
+    fn prepare(&self, places: &[&Place]) {
+        self.prepared.get_or_init(|| Prepared::of(&self.waves, places));
+    }
+
+    fn spot(&self, at: [f64; 3]) -> Spot {
+        let number = self.prepared.get().and_then(|prepared| prepared.height(at[2] - self.base));
+        Spot { at, height: number.unwrap_or(Spot::UNKNOWN) }
     }
 
     fn displacements(&self, spots: &[Spot], time: f64, out: &mut [[f64; 3]]) {
-        out.fill([0.0; 3]);
-        for (k, wave) in self.waves.iter().enumerate() {
-            let [hx, hy] = wave.heading.along;
-            if wave.heading.kind == WaveType::Sh {
-                self.each(k, spots, time, Asked::Motion, |n, [u]| {
-                    out[n][0] -= hy * u;
-                    out[n][1] += hx * u;
-                });
-            } else {
-                self.each(k, spots, time, Asked::Motion, |n, [along, up]| {
-                    out[n][0] += hx * along;
-                    out[n][1] += hy * along;
-                    out[n][2] += up;
-                });
-            }
-        }
+        let now: Vec<f64> = self.waves.iter().map(|wave| self.place(wave, time)).collect();
+        self.each(
+            spots,
+            out,
+            |k, rows, height, late| rows.at(height, now[k] - late),
+            |k, height, late| self.waves[k].displacement(height, now[k] - late),
+        );
     }
 
     fn velocities(&self, spots: &[Spot], time: f64, dt: f64, out: &mut [[f64; 3]]) {
-        let mut before = vec![[0.0; 3]; out.len()];
-        self.displacements(spots, time - dt, &mut before);
-        self.displacements(spots, time + dt, out);
-        for (out, before) in out.iter_mut().zip(before) {
-            *out = [0, 1, 2].map(|i| (out[i] - before[i]) / (2.0 * dt));
-        }
+        let ends = |wave: &OneWave| [time - dt, time + dt].map(|time| self.place(wave, time));
+        let ends: Vec<[f64; 2]> = self.waves.iter().map(ends).collect();
+        self.each(
+            spots,
+            out,
+            |k, rows, height, late| rows.gained(height, ends[k][0] - late, ends[k][1] - late),
+            |k, height, late| {
+                let [before, after] = ends[k].map(|place| self.waves[k].displacement(height, place - late));
+                [0, 1, 2, 3].map(|i| after[i] - before[i])
+            },
+        );
+        let per_time = 1.0 / (2.0 * dt);
+        out.iter_mut().flatten().for_each(|v| *v *= per_time);
     }
 
-    fn stresses(&self, spots: &[Spot], time: f64, out: &mut [[f64; 6]]) {
-        out.fill([0.0; 6]);
-        for (k, wave) in self.waves.iter().enumerate() {
-            let [x, y] = wave.heading.along;
-            let mut add = |n: usize, own: [f64; 6]| out[n].iter_mut().zip(own).for_each(|(sum, s)| *sum += s);
-            if wave.heading.kind == WaveType::Sh {
-                // t = (−y, x).
-                self.each(k, spots, time, Asked::Stress, |n, [along, up]| {
-                    let twice = 2.0 * x * y * along;
-                    add(n, [-twice, twice, 0.0, (x * x - y * y) * along, x * up, -y * up]);
-                });
-            } else {
-                self.each(k, spots, time, Asked::Stress, |n, [hh, tt, zz, hz]| {
-                    let plane = [x * x * hh + y * y * tt, y * y * hh + x * x * tt];
-                    add(n, [plane[0], plane[1], zz, x * y * (hh - tt), y * hz, x * hz]);
-                });
-            }
-        }
-    }
-
-    fn prepare(&self, nodes: &[f64], points: &[f64]) {
-        let above =
-            |heights: &[f64]| Heights::new(heights.iter().map(|z| z - self.base).collect(), self.height);
-        let (nodes, points) = (above(nodes), above(points));
-        let takes = |wave: &OneWave| {
-            let [moved, pulled] = components(wave.heading.kind);
-            let samples = wave.series.samples();
-            heights::bytes(nodes.all().len(), samples, moved)
-                + heights::bytes(points.all().len(), samples, pulled)
-        };
-        if self.waves.iter().any(|wave| takes(wave) > MOST_PREPARED * wave.series.bytes()) {
-            return;
-        }
-        self.prepared.get_or_init(|| {
-            let of = |wave: &OneWave| {
-                [(&nodes, false), (&points, true)]
-                    .map(|(heights, stresses)| AtHeights::of(&wave.series, heights.all(), stresses))
-            };
-            let waves = self.waves.iter().map(of).collect();
-            Prepared { nodes, points, waves }
-        });
+    fn pushes(&self, places: &[&Place]) -> Option<Box<dyn Pushes>> {
+        let prepared = self.prepared.get()?;
+        Some(self.pushed(places, prepared.pushes()))
     }
 
     fn peak_velocity(&self) -> f64 {

@@ -71,6 +71,38 @@ impl Heading {
         }
     }
 
+    /// What one of each component of displacement of a series moves along x, y and z.
+    pub fn motion(&self) -> [[f64; 4]; 4] {
+        let [x, y] = self.along;
+        match self.kind {
+            // (u_t)
+            WaveType::Sh => [[-y, x, 0.0, 0.0], [0.0; 4], [0.0; 4], [0.0; 4]],
+            // (u_h, u_z)
+            _ => [[x, y, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0; 4], [0.0; 4]],
+        }
+    }
+
+    /// The stress xx, yy, zz, xy, yz, zx of one of each component of stress.
+    pub fn stress(&self) -> [[f64; 6]; 4] {
+        let [x, y] = self.along;
+        match self.kind {
+            // (σ_ht, σ_tz)
+            WaveType::Sh => [
+                [-2.0 * x * y, 2.0 * x * y, 0.0, x * x - y * y, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0, x, -y],
+                [0.0; 6],
+                [0.0; 6],
+            ],
+            // (σ_hh, σ_tt, σ_zz, σ_hz)
+            _ => [
+                [x * x, y * y, 0.0, x * y, 0.0, 0.0],
+                [y * y, x * x, 0.0, -x * y, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0, y, x],
+            ],
+        }
+    }
+
     /// p = sin θ/c in the rock of the base \[s/m\].
     pub fn slowness(&self, base: &Rock) -> f64 {
         self.angle.sin() / self.kind.speed(base)

@@ -1,22 +1,4 @@
-//! Series at the heights that a model asks for.
-//!
-//! Meshes have their nodes and the points of their faces at some heights, often the same for many. There the cubics upwards are the same at
-//! all times, so what they come to is kept, and to ask costs a quarter of what it does anywhere else.
-
-use super::series::Series;
-
-/// Numbers kept of a value at a sample: it, and its slope in time times the interval.
-const KEPT: usize = 2;
-
-/// What a wave does at some heights: displacements, or stresses.
-pub struct AtHeights {
-    /// Samples a second, and the time of the first \[s\].
-    rate: f64,
-    start: f64,
-    samples: usize,
-    /// Height after height, sample after sample, the V components and then their V slopes.
-    kept: Vec<f32>,
-}
+//! Heights of which series are kept.
 
 /// Heights \[m\] above the base, to be found among: each place of a boundary asks in every step.
 pub struct Heights {
@@ -62,53 +44,6 @@ impl Heights {
             at += 1;
         }
         (self.all[at] <= height + self.near).then_some(at)
-    }
-}
-
-/// Bytes that they take.
-pub fn bytes(heights: usize, samples: usize, components: usize) -> usize {
-    4 * heights * samples * components * KEPT
-}
-
-impl AtHeights {
-    /// Of a wave's series at heights \[m\] above the base, rising: its displacements, or its stresses.
-    pub fn of(series: &Series, heights: &[f64], stresses: bool) -> AtHeights {
-        // Room for all at once: a vector that grows would take up to twice as much while it does.
-        let mut kept =
-            Vec::with_capacity(heights.len() * series.samples() * KEPT * series.components(stresses));
-        heights.iter().for_each(|&height| series.column(height, stresses, &mut kept));
-        AtHeights { rate: 1.0 / series.dt(), start: series.start, samples: series.samples(), kept }
-    }
-
-    /// Components at one of the heights, by its number.
-    #[inline(always)]
-    pub fn at<const V: usize>(&self, number: usize, time: f64) -> [f64; V] {
-        let place = (time - self.start) * self.rate;
-        if place.is_nan() || place <= 0.0 {
-            return [0.0; V];
-        }
-        let sample = (place as usize).min(self.samples - 2);
-        let x = (place - sample as f64).min(1.0);
-        let y = 1.0 - x;
-        let weights = [y * y * (1.0 + 2.0 * x), x * y * y, x * x * (3.0 - 2.0 * x), -x * x * y];
-        let row = V * KEPT;
-        let at = (number * self.samples + sample) * row;
-        let two = &self.kept[at..at + 2 * row];
-        let [f, ft, g, gt] = [0, 1, 2, 3].map(|k| {
-            let mut of = [0.0; V];
-            of.iter_mut().zip(&two[k * V..(k + 1) * V]).for_each(|(out, &kept)| *out = f64::from(kept));
-            of
-        });
-        let mut out = [0.0; V];
-        for c in 0..V {
-            out[c] = weights[0] * f[c] + weights[1] * ft[c] + weights[2] * g[c] + weights[3] * gt[c];
-        }
-        out
-    }
-
-    /// What it takes of memory.
-    pub fn bytes(&self) -> usize {
-        4 * self.kept.len()
     }
 }
 

@@ -110,9 +110,8 @@ impl Series {
         Series { grid, dt, start, samples, moved, pulled, peak }
     }
 
-    /// When the series begin \[s\] on the time of the signal, at the base of the reference point.
-    fn sample(&self, time: f64) -> Option<(usize, f64)> {
-        let place = (time - self.start) / self.dt;
+    /// The sample before a place, and how far behind it that is; none before the first.
+    fn sample(&self, place: f64) -> Option<(usize, f64)> {
         if place.is_nan() || place <= 0.0 {
             return None;
         }
@@ -120,23 +119,24 @@ impl Series {
         Some((index, (place - index as f64).min(1.0)))
     }
 
-    /// Components of displacement \[m\] at a height \[m\] above the base: (u_h, u_z), or u_t alone.
-    pub fn displacement<const V: usize>(&self, height: f64, time: f64) -> [f64; V] {
-        self.between(&self.moved, height, time)
+    /// Components of displacement \[m\] at a height \[m\] above the base, `place` samples after the first: (u_h, u_z), or u_t alone; the rest
+    /// is nothing.
+    pub fn displacement_of(&self, height: f64, place: f64) -> [f64; 4] {
+        self.between(&self.moved, height, place)
     }
 
-    /// Components of stress \[Pa\]: (σ_hh, σ_tt, σ_zz, σ_hz), or (σ_ht, σ_tz).
-    pub fn stress<const V: usize>(&self, height: f64, time: f64) -> [f64; V] {
-        self.between(&self.pulled, height, time)
+    /// Components of stress \[Pa\]: (σ_hh, σ_tt, σ_zz, σ_hz), or (σ_ht, σ_tz); the rest is nothing.
+    pub fn stress_of(&self, height: f64, place: f64) -> [f64; 4] {
+        self.between(&self.pulled, height, place)
     }
 
-    fn between<const V: usize>(&self, kept: &[f32], height: f64, time: f64) -> [f64; V] {
-        let mut out = [0.0; V];
-        let Some((sample, x)) = self.sample(time) else { return out };
+    fn between(&self, kept: &[f32], height: f64, place: f64) -> [f64; 4] {
+        let mut out = [0.0; 4];
+        let Some((sample, x)) = self.sample(place) else { return out };
         let (level, cell, y) = self.grid.cell(height);
         let [t0, t1] = hermite(x);
         let [z0, z1] = hermite(y).map(|[value, slope]| [value, slope * cell]);
-        let row = V * KEPT;
+        let row = kept.len() / (self.grid.count() * self.samples);
         for (level, z) in [(level, z0), (level + 1, z1)] {
             let [value, slope] = z;
             let at = (level * self.samples + sample) * row;
@@ -160,27 +160,23 @@ impl Series {
         self.samples
     }
 
-    /// Components of displacement, or of stress.
-    pub fn components(&self, stresses: bool) -> usize {
-        let kept = if stresses { &self.pulled } else { &self.moved };
-        kept.len() / (self.grid.count() * self.samples * KEPT)
-    }
-
-    /// At a height \[m\] above the base, for each sample the components of displacement, or of stress, and then their slopes in time times
-    /// the interval: put behind what there is.
-    pub fn column(&self, height: f64, stresses: bool, out: &mut Vec<f32>) {
+    /// Adds to a sum, sample by sample, the components of displacement, or of stress, at a height \[m\] above the base, times what one of each
+    /// makes of a vector; and then their slopes in time times the interval.
+    pub fn add(&self, height: f64, stresses: bool, of: &[[f64; 4]; 4], sum: &mut [[[f64; 4]; 2]]) {
         let kept = if stresses { &self.pulled } else { &self.moved };
         let (level, cell, y) = self.grid.cell(height);
         let [z0, z1] = hermite(y).map(|[value, slope]| [value, slope * cell]);
-        let row = self.components(stresses) * KEPT;
-        let at = |level: usize| &kept[level * self.samples * row..(level + 1) * self.samples * row];
-        for (below, above) in at(level).chunks_exact(row).zip(at(level + 1).chunks_exact(row)) {
-            for i in [0, 1] {
-                let pairs = below.chunks_exact(KEPT).zip(above.chunks_exact(KEPT));
-                out.extend(pairs.map(|(a, b)| {
-                    let [a, b] = [a, b].map(|k| [0, 1, 2, 3].map(|i| f64::from(k[i])));
-                    (z0[0] * a[i] + z0[1] * a[i + 2] + z1[0] * b[i] + z1[1] * b[i + 2]) as f32
-                }));
+        let row = kept.len() / (self.grid.count() * self.samples);
+        let at = |level: usize| {
+            kept[level * self.samples * row..(level + 1) * self.samples * row].chunks_exact(row)
+        };
+        for ((sum, below), above) in sum.iter_mut().zip(at(level)).zip(at(level + 1)) {
+            for ((below, above), of) in below.chunks_exact(KEPT).zip(above.chunks_exact(KEPT)).zip(of) {
+                let [a, b] = [below, above].map(|k| [0, 1, 2, 3].map(|i| f64::from(k[i])));
+                for (i, sum) in sum.iter_mut().enumerate() {
+                    let x = z0[0] * a[i] + z0[1] * a[i + 2] + z1[0] * b[i] + z1[1] * b[i + 2];
+                    (0..4).for_each(|c| sum[c] += x * of[c]);
+                }
             }
         }
     }

@@ -7,7 +7,7 @@ use crate::layered_column::{Layer, LayeredColumn};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 use tremolite_engine::Top;
-use tremolite_engine::free_field::GivenField;
+use tremolite_engine::free_field::{End, GivenField, Place};
 use tremolite_engine::problem::Rayleigh;
 use tremolite_laws::band::Band;
 use tremolite_motion::{Complex64, Motion, Sample};
@@ -406,9 +406,38 @@ fn stresses_belong_to_displacements() {
     }
 }
 
-/// What is kept for the heights of a model is what is found anywhere else, to round-off of four bytes.
+/// Nodes of a side across x in rows, with the points of faces between them, one at an edge, and points at heights of their own.
+fn places() -> Vec<Place> {
+    let mut places = Vec::new();
+    for (j, k) in (0..4).flat_map(|j| (0..5).map(move |k| (j, k))) {
+        let at = [60.0, 9.0 * f64::from(j), 11.0 * f64::from(k)];
+        let near = [-0.4, 0.3].into_iter().flat_map(|y| [-0.6, 0.2, 0.9].map(|z| (y, z)));
+        let shares = near
+            .map(|(y, z)| {
+                ([at[0], at[1] + 9.0 * y, (at[2] + 11.0 * z).max(0.0)], [(1.0 + y) * (2.0 - z), 0.0, 0.0])
+            })
+            .collect();
+        places.push(Place { at, shares, ..Place::default() });
+    }
+    let end = End {
+        at: [60.0, 4.0, 50.0],
+        normal: [1.0, 0.0, 0.0],
+        along: [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        lacking: [0.4, 0.1],
+        beside: [0.7, -0.2],
+    };
+    places[7].ends.push(end);
+    for k in 0..6 {
+        let at = [7.0 * f64::from(k), 3.1 * f64::from(k), 2.7 * f64::from(k)];
+        places.push(Place { at, shares: vec![(at, [0.3, -0.2, 0.5])], ..Place::default() });
+    }
+    places
+}
+
+/// What is kept for the places of a model is what is found anywhere else, to round-off of four bytes, and what pushes them is the sum over
+/// their points, whether all sums are kept or few.
 #[test]
-fn prepared_heights_answer_as_all_others_do() {
+fn prepared_places_answer_as_all_others_do() {
     let ground = LayeredGround::new(layered(), Top::Free).unwrap();
     let frame = Frame {
         bounds: [[0.0; 3], [60.0, 40.0, ground.height()]],
@@ -421,31 +450,61 @@ fn prepared_heights_answer_as_all_others_do() {
     };
     let waves = [wave(WaveType::Sv, 25.0), wave(WaveType::Sh, 60.0)];
     let [plain, ready] = [0, 1].map(|_| ObliqueField::new(&frame, &waves).unwrap());
-    let heights: Vec<f64> = (0..8).map(|k| 11.0 * f64::from(k)).collect();
-    ready.prepare(&heights, &heights[2..5]);
+    let places = places();
+    let places: Vec<&Place> = places.iter().collect();
+    assert!(plain.pushes(&places).is_none());
+    ready.prepare(&places);
     assert!(ready.bytes() > plain.bytes());
-    let mut most = [0.0_f64; 2];
-    let mut off = [0.0_f64; 2];
-    for height in heights.iter().copied().chain([3.7, 70.3]) {
-        for k in 0..40 {
-            let t = plain.lead() + START - 0.02 + 0.0071 * f64::from(k);
-            let at = [13.0, 29.0, height];
-            for (a, b) in plain.displacement(at, t).into_iter().zip(ready.displacement(at, t)) {
-                most[0] = most[0].max(a.abs());
-                off[0] = off[0].max((a - b).abs());
-            }
-            for (a, b) in plain.stress(at, t).into_iter().zip(ready.stress(at, t)) {
-                most[1] = most[1].max(a.abs());
-                off[1] = off[1].max((a - b).abs());
+    let pushes = [ready.pushes(&places).unwrap(), ready.with_sums_of(5, &places)];
+    let mut of = Largest::default();
+    let mut of_forces = Largest::default();
+    for k in 0..40 {
+        let t = plain.lead() + START - 0.02 + 0.0071 * f64::from(k);
+        let at = places.iter().map(|place| place.at).chain([[13.0, 29.0, 3.7], [13.0, 29.0, 70.3]]);
+        for at in at {
+            of.compare(&plain.displacement(at, t), &ready.displacement(at, t));
+            let dt = 0.003 + 0.001 * f64::from(k);
+            let mut v = [[0.0; 3]];
+            ready.velocities(&[ready.spot(at)], t, dt, &mut v);
+            let moved = v[0].map(|v| 2.0 * dt * v);
+            let [before, after] = [t - dt, t + dt].map(|t| plain.displacement(at, t));
+            of.compare(&[0, 1, 2].map(|i| after[i] - before[i]), &moved);
+        }
+        for pushes in &pushes {
+            let mut found = vec![[0.0; 3]; places.len()];
+            pushes.forces(t, &mut found);
+            for (place, found) in places.iter().zip(found) {
+                let mut sum = [0.0; 3];
+                let shares = place.shares.iter().map(|&(at, area)| {
+                    let [xx, yy, zz, xy, yz, zx] = plain.stress(at, t);
+                    let [x, y, z] = area;
+                    [xx * x + xy * y + zx * z, xy * x + yy * y + yz * z, zx * x + yz * y + zz * z]
+                });
+                let ends = place.ends.iter().map(|end| end.force(&plain.stress(end.at, t)));
+                shares.chain(ends).for_each(|force| (0..3).for_each(|i| sum[i] += force[i]));
+                of_forces.compare(&sum, &found);
             }
         }
     }
-    for (off, most) in off.into_iter().zip(most) {
+    for Largest { off, most } in [of, of_forces] {
         assert!(most > 0.0 && off < 1e-6 * most, "{off:e} of {most:e}");
     }
-    // A wave asks for too much where hardly two nodes lie at one height.
-    let many: Vec<f64> = (0..4000).map(|k| 0.019 * f64::from(k)).collect();
-    let all = ObliqueField::new(&frame, &waves).unwrap();
-    all.prepare(&many, &many);
-    assert_eq!(all.bytes(), plain.bytes());
+    // Nodes in rows ask for few series: of 4 × 5 nodes with two delays each those of a row are one, and the one with an end has its own.
+    assert!(ready.sums() < 2 * (5 + 1 + 2 + 6 + 4), "{}", ready.sums());
+}
+
+/// The largest of some numbers, and of what others differ from them by.
+#[derive(Default)]
+struct Largest {
+    off: f64,
+    most: f64,
+}
+
+impl Largest {
+    fn compare(&mut self, right: &[f64; 3], found: &[f64; 3]) {
+        for (a, b) in right.iter().zip(found) {
+            self.most = self.most.max(a.abs());
+            self.off = self.off.max((a - b).abs());
+        }
+    }
 }
