@@ -90,7 +90,13 @@ mod tests {
 
     fn mutant(switch: u32, genre: &str, [line, column]: [usize; 2], replacement: &str) -> Mutant {
         let span = Span { start: At { line, column } };
-        Mutant { switch: Some(switch), file: String::new(), genre: genre.into(), span, replacement: replacement.into() }
+        Mutant {
+            switch: Some(switch),
+            file: String::new(),
+            genre: genre.into(),
+            span,
+            replacement: replacement.into(),
+        }
     }
 
     #[test]
@@ -104,7 +110,10 @@ mod tests {
             mutant(5, "FnValue", [3, 5], "0.0"),
         ];
         let places = places::of(text).unwrap();
-        assert_eq!(mutants.each_ref().map(|mutant| super::place(&places, mutant).is_some()), [false, true, true, true, true]);
+        assert_eq!(
+            mutants.each_ref().map(|mutant| super::place(&places, mutant).is_some()),
+            [false, true, true, true, true]
+        );
         let changed = super::changed(text, &places, &mutants, "on");
         let minus = "(if on(4) { (a) } else { - (a) })";
         let sum = format!("({minus} * a as f64)");
@@ -126,7 +135,12 @@ mod tests {
             mutant(3, "BinaryOperator", [3, 16], "<"),
         ];
         let changed = super::changed(text, &places::of(text).unwrap(), &mutants, "on");
-        assert!(changed.contains("1 if (if on(1) { true } else { (if on(3) { (a) < (0) } else { (a) > (0) }) }) => 2,"), "{changed}");
+        assert!(
+            changed.contains(
+                "1 if (if on(1) { true } else { (if on(3) { (a) < (0) } else { (a) > (0) }) }) => 2,"
+            ),
+            "{changed}"
+        );
         assert!(changed.contains("2 if !on(2) => 1,"), "{changed}");
     }
 }

@@ -106,7 +106,8 @@ impl<'ast> Visit<'ast> for Seek {
 
     fn visit_expr_unary(&mut self, unary: &'ast syn::ExprUnary) {
         let [operator, right] = [unary.op.span(), unary.expr.span()].map(|span| span.byte_range());
-        self.found.insert(("UnaryOperator", at(unary.op.span())), Place::Operator { left: None, operator, right });
+        self.found
+            .insert(("UnaryOperator", at(unary.op.span())), Place::Operator { left: None, operator, right });
         visit::visit_expr_unary(self, unary);
     }
 

@@ -89,7 +89,13 @@ fn own_blocks<'a>(
     ranks: Option<&'a Ranks>,
 ) -> impl ParallelIterator<Item = Range<usize>> + 'a {
     let own = move |b: usize| ranks.is_none_or(|ranks| ranks.division.of_block[b] == ranks.rank());
-    model.nodes.blocks.par_iter().enumerate().filter(move |(b, _)| own(*b)).map(|(_, block)| block.nodes.clone())
+    model
+        .nodes
+        .blocks
+        .par_iter()
+        .enumerate()
+        .filter(move |(b, _)| own(*b))
+        .map(|(_, block)| block.nodes.clone())
 }
 
 fn square(row: &Row) -> f64 {
