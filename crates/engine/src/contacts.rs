@@ -1,11 +1,16 @@
 //! The interfaces of an assembly: their laws, and what their pairs remember.
 
 use crate::interface::Seam;
+use crate::life::Stage;
+use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 use tremolite_kernels::AnyInterface;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_laws::Octet;
+
+/// Pairs that a thread takes at once, a few microseconds of work.
+const PIECE: usize = 1024;
 
 /// An interface with its law, ready to be looked at.
 #[derive(Clone)]
@@ -60,6 +65,21 @@ impl Contacts {
     pub fn seen(&self, history: &[Octet], pair: usize) -> PairSeen {
         let (chunk, at) = self.places[pair];
         self.law.seen(&history[self.histories[chunk as usize].clone()], at as usize)
+    }
+
+    /// The first of the pairs that last whose gap \[m\] is below `gap` and that this process has, from its own histories: its number, and how it is.
+    pub fn first_below(&self, seam: &Seam, history: &[Octet], gap: f64) -> Option<(usize, PairSeen)> {
+        let held = |pair: usize| {
+            let (chunk, at) = self.places[pair];
+            Some((&history[self.held[chunk as usize].clone()?], at as usize))
+        };
+        let is_below = |&pair: &usize| {
+            seam.lives[pair].holds(Stage::Shaking)
+                && held(pair).is_some_and(|(history, at)| self.law.gap(history, at) < gap)
+        };
+        let pair = (0..self.places.len()).into_par_iter().with_min_len(PIECE).find_first(is_below)?;
+        let (history, at) = held(pair)?;
+        Some((pair, self.law.seen(history, at)))
     }
 
     /// Area-weighted sums over the pairs that are there in the shaking.

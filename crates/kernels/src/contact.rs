@@ -9,7 +9,7 @@ mod memory;
 mod pass;
 
 pub use memory::{EXTRA, PairSeen};
-pub(crate) use memory::{load, seen};
+pub(crate) use memory::{gap, load, seen};
 
 use crate::line::{Line, Lines};
 use crate::part::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};

@@ -1,6 +1,6 @@
 //! Interface laws behind a wall: what the model needs of one without knowing its type.
 
-use crate::contact::{Contact, Pair, PairSeen, load, seen};
+use crate::contact::{Contact, Pair, PairSeen, gap, load, seen};
 use crate::part::Part;
 use std::sync::Arc;
 use tremolite_laws::{BadParameter, Interface, Isa, LawInfo, Octet, Values};
@@ -38,6 +38,8 @@ pub trait AnyInterface: Send + Sync {
     );
     /// A pair of such a part, from the part's history.
     fn seen(&self, history: &[Octet], pair: usize) -> PairSeen;
+    /// [`PairSeen::gap`] alone \[m\].
+    fn gap(&self, history: &[Octet], pair: usize) -> f64;
 }
 
 struct Instance<I> {
@@ -96,6 +98,10 @@ impl<I: Interface> AnyInterface for Instance<I> {
 
     fn seen(&self, history: &[Octet], pair: usize) -> PairSeen {
         seen(&*self.law, history, pair)
+    }
+
+    fn gap(&self, history: &[Octet], pair: usize) -> f64 {
+        gap::<I>(history, pair)
     }
 }
 

@@ -1,7 +1,9 @@
 //! Histories as a table of numbers: `monitors.csv` and `energy.csv`, read.
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::Path;
+use std::sync::OnceLock;
 
 use crate::{Column, Error, columns};
 
@@ -15,12 +17,24 @@ pub fn is_name(name: &str) -> bool {
 /// A table as read from a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// Headers, in the order of the file.
+    /// Headers, in the order of the file; not to be given other names once one was asked for.
     pub columns: Vec<Column>,
     /// `values[c][r]`: column `c`, row `r`. All columns have the same number of rows.
     pub values: Vec<Vec<f64>>,
     /// The file ended in the middle of a line, which was left out: it is being written, or was cut.
     pub cut: bool,
+    places: Places,
+}
+
+/// Where columns are by name, once somebody asks: with many monitors there are hundreds of thousands, and each is asked for.
+#[derive(Clone, Debug, Default)]
+struct Places(OnceLock<HashMap<String, usize>>);
+
+/// What is known of a table's columns is no part of what it is.
+impl PartialEq for Places {
+    fn eq(&self, _: &Places) -> bool {
+        true
+    }
 }
 
 impl Table {
@@ -73,7 +87,7 @@ impl Table {
                 values.push(value);
             }
         }
-        Ok(Table { columns, values, cut: whole.len() < text.len() })
+        Ok(Table { columns, values, cut: whole.len() < text.len(), places: Places::default() })
     }
 
     /// Number of rows.
@@ -83,12 +97,23 @@ impl Table {
 
     /// The values of the column with this name.
     pub fn column(&self, name: &str) -> Option<&[f64]> {
-        let index = self.columns.iter().position(|column| column.name == name)?;
-        Some(&self.values[index])
+        Some(&self.values[self.place(name)?])
+    }
+
+    /// The first column with this name.
+    fn place(&self, name: &str) -> Option<usize> {
+        let places = self.places.0.get_or_init(|| {
+            let mut places = HashMap::with_capacity(self.columns.len());
+            for (k, column) in self.columns.iter().enumerate() {
+                places.entry(column.name.clone()).or_insert(k);
+            }
+            places
+        });
+        places.get(name).copied()
     }
 
     /// The unit of the column with this name.
     pub fn unit(&self, name: &str) -> Option<&str> {
-        self.columns.iter().find(|column| column.name == name).map(|column| column.unit.as_str())
+        self.place(name).map(|k| self.columns[k].unit.as_str())
     }
 }

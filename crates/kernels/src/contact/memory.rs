@@ -91,6 +91,12 @@ pub(crate) fn seen<I: Interface>(law: &I, octets: &[Octet], pair: usize) -> Pair
     }
 }
 
+/// The gap of a pair's last evaluation \[m\] alone: it is asked of all pairs, time and again.
+pub(crate) fn gap<I: Interface>(octets: &[Octet], pair: usize) -> f64 {
+    let width = I::HISTORY.len() + EXTRA;
+    octets[pair / 8 * width + I::HISTORY.len() + DISPLACEMENT].0[pair % 8]
+}
+
 /// Puts values into columns of a pair, counted behind those of its law.
 fn write<I: Interface>(octets: &mut [Octet], pair: usize, column: usize, values: &[f64]) {
     let first = pair / 8 * (I::HISTORY.len() + EXTRA) + I::HISTORY.len() + column;

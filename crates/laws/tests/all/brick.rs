@@ -140,3 +140,14 @@ fn what_leans_is_no_brick() {
     let turned = brick([1.0; 3]).map(|[x, y, z]| [r * (x - y), r * (x + y), z]);
     assert_eq!(Hex8::new(turned).unwrap().upright(), None);
 }
+
+/// Skew is told by what it moves a corner by, over the shortest edge: as much of it in an element of a millimetre as in one of a kilometre.
+#[test]
+fn bricks_are_told_apart_by_the_same_skew_at_any_size() {
+    for size in [1e-3, 1.0, 1e3] {
+        let sheared =
+            |skew: f64| brick([size; 3]).map(|[x, y, z]| [x - 7.0 + skew * (z - 7.0), y - 7.0, z - 7.0]);
+        assert!(Hex8::new(sheared(0.0)).unwrap().is_brick(), "{size}");
+        assert!(!Hex8::new(sheared(1e-10)).unwrap().is_brick(), "{size}");
+    }
+}

@@ -303,3 +303,25 @@ fn the_linear_joint_is_linear() {
     assert_eq!(half.stiffest(), [K, 0.4 * K]);
     assert_eq!((half.straight_from(), half.closure_limit()), (None, None));
 }
+
+#[test]
+fn shear_that_is_not_given_is_four_tenths_of_the_stiffness_that_is_chosen() {
+    let choice = Choice { stiffness: 3e9, least: 0.0, pressure: 5e6 };
+    let chosen = Coulomb::chosen(&Values::default().with("friction", MU), &choice);
+    assert_eq!(chosen.optional("normal_stiffness"), Some(3e9));
+    assert_eq!(chosen.optional("shear_stiffness"), Some(0.4 * 3e9));
+}
+
+#[test]
+fn what_is_unusual_of_a_joint_is_warned_of_and_nothing_at_the_limit() {
+    let told = |numbers: &[(&str, f64)], what: &str| {
+        bandis(numbers).warnings().iter().any(|warning| warning.starts_with(what))
+    };
+    // 1 MPa closes 1e8 Pa/m by a centimetre.
+    assert!(!told(&[("normal_stiffness", 1e8), ("max_closure", 0.01)], ""));
+    assert!(told(&[("normal_stiffness", 0.99e8)], "normal_stiffness"));
+    assert!(told(&[("max_closure", 0.0101)], "max_closure"));
+    assert!(told(&[("tensile_strength", 1e5), ("cohesion", 0.0)], "the bond holds"));
+    assert!(!told(&[("tensile_strength", 1e5), ("cohesion", 1.0)], ""));
+    assert!(!told(&[("tensile_strength", 0.0), ("cohesion", 0.0)], ""));
+}

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::PathBuf;
+use std::time::Instant;
 
 use tremolite_results::{Column, Error, Table, TableWriter};
 
@@ -117,4 +118,25 @@ fn names_that_would_break_the_file_are_refused_before_it_is_touched() {
     assert!(TableWriter::create(&path, &[Column::new("a", "m"), Column::new("a", "s")]).is_err());
     assert!(TableWriter::create(&path, &[]).is_err());
     assert_eq!(fs::read(&path).unwrap(), b"keep");
+}
+
+/// Ten thousand monitors have 190,000 columns, each of which is asked for: that takes no longer than to read them.
+#[test]
+fn all_of_many_columns_are_found_in_the_time_that_it_takes_to_read_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("many.csv");
+    let names: Vec<String> = (0..50_000).map(|k| format!("monitor_{k}_velocity")).collect();
+    let numbers: Vec<String> = (0..names.len()).map(|k| k.to_string()).collect();
+    std::fs::write(&path, format!("{},monitor_7_velocity\n{},-1\n", names.join(","), numbers.join(",")))
+        .unwrap();
+    let begin = Instant::now();
+    let table = Table::read(&path).unwrap();
+    let read = begin.elapsed();
+    let begin = Instant::now();
+    for (k, name) in names.iter().enumerate() {
+        assert_eq!(table.column(name).unwrap(), [k as f64], "the first of a name");
+        assert!(table.column(&format!("{name}_of_nobody")).is_none());
+    }
+    // One by one they take a hundred times as long.
+    assert!(begin.elapsed() < 10 * read, "{:?} to read, {:?} to find", read, begin.elapsed());
 }

@@ -1,6 +1,6 @@
 //! The shaking, step by step.
 
-use super::astray::astray;
+use super::astray::Limits;
 use super::followed::Followed;
 use super::outcome::{Ending, Outcome};
 use super::{Simulation, Whole};
@@ -39,7 +39,7 @@ pub enum Stepping {
     Astray { why: Said },
 }
 
-/// Steps of the coarsest level after which somebody asks whether anything went astray: all nodes and pairs are gone through, on one thread.
+/// Steps of the coarsest level after which somebody asks whether anything went astray: all nodes and pairs are gone through.
 const ASTRAY: u64 = 8;
 
 /// A simulation in the shaking.
@@ -55,6 +55,8 @@ pub(super) struct Shaking {
     balance: Lines,
     bodies: Vec<BodyBooks>,
     ended: Option<End>,
+    /// Beyond which something has gone astray.
+    limits: Limits,
     /// Wall time of the steps, and what of it went into looks.
     spent: Duration,
     looking: Duration,
@@ -144,6 +146,7 @@ impl Simulation {
         engine.glance_at(audience.glanced(&self.phase));
         let ranks = self.ranks.as_ref();
         let followed = ranks.and_then(|ranks| Followed::of(&self.model, ranks, audience.steps()));
+        let limits = Limits::new(&self.model, ranks.map(|ranks| &**ranks), &self.state);
         Ok(Shaking {
             engine,
             audience,
@@ -153,6 +156,7 @@ impl Simulation {
             balance: Lines::default(),
             bodies: Vec::new(),
             ended: None,
+            limits,
             spent: Duration::ZERO,
             looking: Duration::ZERO,
             held: None,
@@ -224,10 +228,12 @@ impl Simulation {
             let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
             return Ok(self.fail(shaking, evaluated, halt));
         }
-        // Of several ranks none has the whole state.
         if self.state.steps().is_multiple_of(ASTRAY * self.phase.span())
-            && self.ranks.is_none()
-            && let Some(why) = astray(&self.model, &self.assembly, &self.phase, &self.state)
+            && let Some(why) = shaking.limits.astray(
+                (&self.model, &self.assembly, &self.phase),
+                self.ranks.as_deref(),
+                &mut self.state,
+            )
         {
             let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
             let ended = Stepping::Astray { why };

@@ -1,13 +1,14 @@
-//! Runs that end although their energy balances: a node that runs away, a joint that closes beyond its law.
+//! Runs that end although their energy balances: a node that runs away, a joint that closes beyond its law; the same on several ranks.
 
 use crate::block::block;
 use crate::contact::between;
+use crate::ranks::{Case, files, how, same};
 use crate::runs::go;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use tremolite::parts::loads::Load;
-use tremolite::simulation::Ending;
+use tremolite::simulation::{Ending, Simulation, Start, Stepping};
 use tremolite::{Base, Problem};
-use tremolite_results::{Pvd, Table};
+use tremolite_results::{Pvd, ResultFolder, Table};
 
 /// A pressure \[Pa\] on the top of the block, 14 m up, that comes within 20 ms; upwards where it is negative. A little of it is there from the
 /// beginning: the guard of energies takes what comes from nothing for noise.
@@ -39,13 +40,32 @@ fn ended(problem: Problem) -> String {
     why.to_string()
 }
 
-#[test]
-fn what_moves_further_than_the_model_is_long_ends_the_run_and_is_named() {
+/// A wave that the free base does not let in: the guard of energies leaves as much to noise as the load does at first.
+fn carried_off() -> Problem {
     let mut problem = block([4, 4, 5]);
-    // A wave that the free base does not let in: the guard of energies leaves as much to noise as such a load does at first.
     problem.base = Base::Free;
     problem.incident.iter_mut().for_each(|incident| incident.factor = 1e3);
-    let why = ended(pressed(problem, -300e6));
+    pressed(problem, -300e6)
+}
+
+/// A joint on top of the slab that may close by so much \[m\].
+fn closing(closure: f64) -> Problem {
+    let mut problem = block([4, 4, 5]);
+    problem.base = Base::Fixed;
+    let numbers = [
+        ("normal_stiffness", 20e9),
+        ("max_closure", closure),
+        ("cohesion", 0.2e6),
+        ("friction", 0.7),
+        ("pressure_for_step", 10e6),
+    ];
+    problem.interfaces = vec![between(&problem, [1, 0], "bandis", &numbers)];
+    pressed(problem, 40e6)
+}
+
+#[test]
+fn what_moves_further_than_the_model_is_long_ends_the_run_and_is_named() {
+    let why = ended(carried_off());
     assert!(
         why.starts_with("element ") && why.contains("further than the model is long, 1.400e1 m"),
         "{why}"
@@ -54,21 +74,8 @@ fn what_moves_further_than_the_model_is_long_ends_the_run_and_is_named() {
 
 #[test]
 fn a_joint_that_closes_beyond_its_law_ends_the_run_and_its_pair_is_named() {
-    let joint = |closure| {
-        let mut problem = block([4, 4, 5]);
-        problem.base = Base::Fixed;
-        let numbers = [
-            ("normal_stiffness", 20e9),
-            ("max_closure", closure),
-            ("cohesion", 0.2e6),
-            ("friction", 0.7),
-            ("pressure_for_step", 10e6),
-        ];
-        problem.interfaces = vec![between(&problem, [1, 0], "bandis", &numbers)];
-        pressed(problem, 40e6)
-    };
     // The curve goes straight from 12 MPa and comes to the largest closure at 28 MPa.
-    let why = ended(joint(0.2e-3));
+    let why = ended(closing(0.2e-3));
     assert!(
         why.starts_with("interface 'joint' at node ")
             && why.contains("beyond the largest closure of its law, 2.000e-4 m"),
@@ -76,8 +83,35 @@ fn a_joint_that_closes_beyond_its_law_ends_the_run_and_its_pair_is_named() {
     );
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(
-        go(joint(8e-3), folder.path(), 2, false, None).ending,
+        go(closing(8e-3), folder.path(), 2, false, None).ending,
         Ending::Done,
         "one that may close by more goes on"
     );
+}
+
+/// Every rank is told the same, at the same time, and the first leaves the files and the state of one process.
+#[test]
+fn several_ranks_end_where_one_process_does_with_the_same_words() {
+    for problem in [carried_off as fn() -> Problem, || closing(0.2e-3)] {
+        let mut problem = problem();
+        problem.patch_elements = Some(12);
+        let case = Case::new(problem, &[], 0.12);
+        let told = Mutex::new(Vec::new());
+        let through = |mut simulation: Simulation| {
+            let stepped = simulation.step(u64::MAX).unwrap();
+            let Stepping::Astray { why } = stepped else { panic!("it must be ended, not {stepped:?}") };
+            told.lock().unwrap().push((simulation.time(), why.to_string()));
+            format!("{:?}", simulation.finish(Ending::Astray { why }, 0.0).unwrap().state)
+        };
+        let folder = tempfile::tempdir().unwrap();
+        let results = ResultFolder::create(Some(folder.path()), "ranks", true).unwrap();
+        let alone = files(folder.path(), through(case.simulation(&results, Start::Rest, None)));
+        for how in [how(1, 2, false), how(2, 1, false), how(3, 1, true)] {
+            let start = |folder: &ResultFolder, ranks| through(case.simulation(folder, Start::Rest, ranks));
+            let (among, _) = case.among(how, start);
+            same(&format!("{how:?}"), &alone, &among);
+        }
+        let told = told.into_inner().unwrap();
+        assert!(told.len() == 1 + 1 + 2 + 3 && told.iter().all(|one| *one == told[0]), "{told:?}");
+    }
 }
