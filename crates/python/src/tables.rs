@@ -12,7 +12,7 @@ type Header = (String, String, String, String);
 /// Reads a table of numbers: its headers, an array (rows,) for each, and whether its last line was being written.
 #[pyfunction]
 fn read_table(py: Python<'_>, path: PathBuf) -> PyResult<(Vec<Header>, Vec<Bound<'_, PyAny>>, bool)> {
-    let Table { columns, values, cut } = py.detach(|| Table::read(&path)).map_err(unusable)?;
+    let Table { columns, values, cut, .. } = py.detach(|| Table::read(&path)).map_err(unusable)?;
     let header = |column: tremolite_results::Column| {
         let whose = column.subject.name().unwrap_or_default();
         (column.name, column.quantity, column.unit, whose)
