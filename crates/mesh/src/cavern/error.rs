@@ -61,13 +61,13 @@ impl CavernError {
     }
 }
 
-/// To the centimetre above and below, so that a length that is named is taken.
+/// To the centimetre above and below, so that a length that is named is taken; round-off makes no other centimetre.
 fn at_least(length: f64) -> f64 {
-    (100.0 * length).ceil() / 100.0
+    (100.0 * length - 1e-6).ceil() / 100.0
 }
 
 fn at_most(length: f64) -> f64 {
-    (100.0 * length).floor() / 100.0
+    (100.0 * length + 1e-6).floor() / 100.0
 }
 
 /// A size \[m\] of elements of which a cavern has this much rock beside it, if there is one worth the name.

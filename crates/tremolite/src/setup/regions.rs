@@ -235,11 +235,12 @@ fn finer(case: &Case, limit: f64, extent: f64) -> String {
     // Rounded down to centimetres, so that it holds as it is written.
     let below = (100.0 * limit - 1.0).floor() / 100.0;
     let how = match &case.mesh {
-        // Round a vault elements are larger than the size that is asked for, by the same share in a finer mesh.
+        // Round a vault elements are larger than the size that is asked for, by the same share in a finer mesh; along it there is an even
+        // number of them.
         tremolite_case::Mesh::Caverns(caverns) => {
-            let near = caverns.near.value * (limit / extent).min(1.0);
-            let along = caverns.along.as_ref().map_or(near, |along| along.value.min(limit));
-            let [near, along] = [near, along].map(|size| (100.0 * size - 1.0).floor() / 100.0);
+            let near = (100.0 * caverns.near.value * (limit / extent).min(1.0) - 1.0).floor() / 100.0;
+            let pairs = (0.5 * caverns.length.value / below).ceil();
+            let along = (100.0 * 0.5 * caverns.length.value / pairs).floor() / 100.0;
             format!("give `near` {near} m and `along` {along} m, or more layers of lining where it is thick")
         }
         tremolite_case::Mesh::Box(_) => format!("give more `elements` along the axes, for {below} m or less"),
