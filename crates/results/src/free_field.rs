@@ -171,7 +171,7 @@ mod tests {
         let values = columns.iter().map(|(_, values)| values.to_vec()).collect();
         let mut columns: Vec<Column> = columns.iter().map(|(name, _)| Column::new(*name, "m/s")).collect();
         by_name::complete("free_field", &mut columns);
-        FreeField::of(Table { columns, values, ..Table::default() })
+        FreeField::of(Table::new(columns, values))
     }
 
     #[test]

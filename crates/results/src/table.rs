@@ -38,6 +38,11 @@ impl PartialEq for Places {
 }
 
 impl Table {
+    /// Of columns with their values, all of the same number of rows.
+    pub fn new(columns: Vec<Column>, values: Vec<Vec<f64>>) -> Self {
+        Table { columns, values, ..Table::default() }
+    }
+
     /// Reads a table of comma-separated numbers under one line of headers.
     ///
     /// A last line without its line end is left out (`cut`): its last number may lack digits.
@@ -87,7 +92,7 @@ impl Table {
                 values.push(value);
             }
         }
-        Ok(Table { columns, values, cut: whole.len() < text.len(), places: Places::default() })
+        Ok(Table { cut: whole.len() < text.len(), ..Table::new(columns, values) })
     }
 
     /// Number of rows.

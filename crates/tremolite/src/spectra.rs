@@ -171,7 +171,7 @@ mod tests {
     fn the_motion_counts_as_far_as_the_run_came() {
         let columns = [Column::new("time", "s"), Column::new("given.ax", "m/s2")];
         let values = vec![(0..11).map(|k| 0.1 * f64::from(k)).collect(), vec![1.0; 11]];
-        let table = Table { columns: columns.to_vec(), values, ..Table::default() };
+        let table = Table::new(columns.to_vec(), values);
         let rows = |until| of_motion(&table, "given.ax", until).unwrap().acceleration.len();
         assert_eq!((rows(0.45), rows(0.5), rows(f64::INFINITY)), (5, 6, 11));
     }
