@@ -37,7 +37,7 @@ at = ["1 m", "1 m", "-1 m"]
 histories = "0.01 s"
 snapshots = "1 s"
 [report.limits]
-displacement = "1 mm"
+displacement = "10 mm"
 "#;
 
 const STUDY: &str = r#"title = "what moves the column"
@@ -120,7 +120,7 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
     let found = cells("limits.displacement [m]").into_iter().map(|cell| cell.parse::<f64>().unwrap());
     let held: Vec<(f64, bool)> =
         found.zip(cells("limits.displacement.met").iter().map(|met| met == "true")).collect();
-    assert!(held.iter().all(|(found, met)| (*found <= 1e-3) == *met), "{held:?}");
+    assert!(held.iter().all(|(found, met)| (*found <= 1e-2) == *met), "{held:?}");
     assert!(held.iter().any(|(_, met)| *met) && held.iter().any(|(_, met)| !met), "{held:?}");
     let same = |out: &str| {
         for file in ["study.csv", "study.json", "plan.csv", "study.html"] {

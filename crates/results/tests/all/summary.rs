@@ -54,7 +54,7 @@ fn summary() -> Summary {
             largest: 1.6,
             at: Place { element: 4712, at: [1.0, 2.0, -4.0] },
             mean: 1.3,
-            first: f64::NAN,
+            first: 1.2,
         }),
     };
     let widest = Some(Onset { time: 5.0, element: 7, at: [0.0; 3] });
@@ -109,7 +109,7 @@ fn the_json_is_what_the_contract_says() {
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
     assert_eq!(
         serde_json::to_string(&summary().parts.damage).unwrap(),
-        r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]}}},"cracks":{"opening":0.0001,"widest":{"time":5.0,"element":7,"at":[0.0,0.0,0.0]},"left":0.00004,"stacks":8,"through":0,"through_at":null}}}"#
+        r#"{"hall.lining":{"volume":10.0,"measures":{"d_tension":{"beyond":{"0.1":2.5,"0.9":1.0},"largest":0.95,"first":{"time":4.25,"element":4711,"at":[1.0,2.0,-3.0]},"rate":{"largest":1.6,"at":{"element":4712,"at":[1.0,2.0,-4.0]},"mean":1.3,"first":1.2}}},"cracks":{"opening":0.0001,"widest":{"time":5.0,"element":7,"at":[0.0,0.0,0.0]},"left":0.00004,"stacks":8,"through":0,"through_at":null}}}"#
     );
     let monitors = serde_json::to_string(&summary().monitors.peaks).unwrap();
     assert!(monitors.starts_with(r#"{"B":"#), "the order of the case is kept: {monitors}");

@@ -8,7 +8,7 @@ use crate::ready::Ready;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use tremolite::simulation::{Built, Start};
-use tremolite::{Base, Division, Member, Model, Side};
+use tremolite::{Base, Division, Layers, Member, Model, Quadrature, Side};
 use tremolite_results::ResultFolder;
 
 /// Both ends of the block are on different ranks: it is so long that it is cut across.
@@ -119,6 +119,8 @@ fn ranks_stay_even_where_one_lining_cracks_before_the_other() {
     let mut lining = problem.bodies[1].clone();
     lining.name = "lining".into();
     lining.material = concrete(5e3, "effective");
+    // As dear as linings are beside rock.
+    lining.quadrature = Quadrature::Layered(Layers::Five);
     problem.bodies.iter_mut().for_each(|body| body.elements.retain(|e| !linings.contains(e)));
     lining.elements = linings;
     problem.bodies.push(lining);
