@@ -120,7 +120,7 @@ fn ranks_stay_even_where_one_lining_cracks_before_the_other() {
     lining.name = "lining".into();
     lining.material = concrete(5e3, "effective");
     // As dear as linings are beside rock.
-    lining.quadrature = Quadrature::Layered(Layers::Five);
+    lining.quadrature = Quadrature::Layered(Layers::Nine);
     problem.bodies.iter_mut().for_each(|body| body.elements.retain(|e| !linings.contains(e)));
     lining.elements = linings;
     problem.bodies.push(lining);
