@@ -96,9 +96,10 @@ impl Works {
         // One lining may crack before the other, and walls before a roof.
         let parts = (PARTS_OF_ALL / bodies.len().max(1)).clamp(1, PARTS);
         let parts: Vec<_> = bodies.iter().flat_map(|body| body.chunks(body.len().div_ceil(parts))).collect();
-        if let [_, _, ..] = parts[..] {
-            let share = 1.0 / parts.len() as f64;
-            cases.extend(parts.iter().map(|part| case(share, &mut part.iter().copied())));
+        let bodies: Vec<_> = bodies.iter().map(Vec::as_slice).collect();
+        for alone in [bodies, parts].iter().filter(|alone| alone.len() > 1) {
+            let share = 1.0 / alone.len() as f64;
+            cases.extend(alone.iter().map(|one| case(share, &mut one.iter().copied())));
         }
         let whole: f64 = cases.iter().map(|case| case.weight).sum();
         cases.iter_mut().for_each(|case| case.weight /= whole);
