@@ -143,7 +143,8 @@ def test_looks_show_stress_history_and_energy_by_group(cavern, tmp_path):
     assert len(points) == len(damage) == len(look.stress("*.lining")) and set(points) == set(lining)
     # The mean over one-point elements is the point's own.
     assert (look.stress("rock") == look.mean_stress("rock")).all()
-    assert look.energy["strain"] > 0 and "error" in look.energy
+    # Strain is counted from the hand-over on, where stress is already: so early it may go either way.
+    assert look.energy["kinetic"] > 0 and {"strain", "error"} <= set(look.energy)
     assert np.isnan(look.history(["rock", "hall.lining"], "d_tension")).any()
     with pytest.raises(tr.Error, match="hall.lining"):
         look.stress("hal.lining")
