@@ -10,9 +10,10 @@ use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column, Octet, Role};
 
-/// Members that elements of the mesh are in, in a phase.
-pub fn of_elements(phase: &Phase) -> Vec<u32> {
-    let members: BTreeSet<u32> = phase.element_slot.iter().flatten().map(|slot| slot.member).collect();
+/// Members that elements of the mesh are in, in a phase: of those that are `wanted`.
+pub fn of_elements(phase: &Phase, wanted: impl Fn(&ElementSlot) -> bool) -> Vec<u32> {
+    let slots = phase.element_slot.iter().flatten().filter(|slot| wanted(slot));
+    let members: BTreeSet<u32> = slots.map(|slot| slot.member).collect();
     members.into_iter().collect()
 }
 

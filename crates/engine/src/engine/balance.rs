@@ -8,7 +8,8 @@ use super::{BodyBooks, Engine, Snapshot};
 use crate::parts::{ElementEnergy, Kept, Motion};
 use crate::ranks::Tree;
 use crate::state::{Ledger, OF_NODES, State};
-use crate::sums::tree;
+use crate::sums::{tree, tree_of_rows};
+use rayon::prelude::*;
 use tremolite_kernels::{Booked, Line, Lines};
 
 /// Books added up \[J\].
@@ -57,6 +58,14 @@ impl Engine {
         (sums.next().unwrap_or_default(), sums.collect())
     }
 
+    /// The same of the members that enter the balance, on all threads.
+    pub(super) fn added_at_once(&self, of: impl Fn(u32) -> [Lines; 2] + Sync) -> (Lines, Vec<Lines>) {
+        let own: Vec<u32> = self.counted().filter(|&m| self.has(m as usize)).collect();
+        let found: Vec<[Lines; 2]> = own.par_iter().map(|&m| of(m)).collect();
+        let mut found = found.into_iter();
+        self.added(self.counted(), |_| found.next().unwrap_or_default())
+    }
+
     /// Active members that enter the balance.
     pub(super) fn counted(&self) -> impl Iterator<Item = u32> + Clone {
         self.phase.active.iter().copied().filter(|&m| self.assembly.members[m as usize].counted)
@@ -65,7 +74,7 @@ impl Engine {
     /// What the counted parts hold, have dissipated and created, by line: by element, and what else they report; and of the
     /// elements of each account.
     pub(super) fn held(&self, state: &State, kept: Kept, energy: &[ElementEnergy]) -> (Lines, Vec<Lines>) {
-        self.added(self.counted(), |m| {
+        self.added_at_once(|m| {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.held[m as usize]);
             let mut own = Lines::default();
             for element in &energy[slices.elements.clone()] {
@@ -90,14 +99,14 @@ impl Engine {
         blocks: &[f64],
     ) -> Totals {
         let width = OF_NODES + self.assembly.accounts.len();
-        let rows = blocks.chunks_exact(width).map(<[f64]>::to_vec);
-        let plus = |mut a: Vec<f64>, b: Vec<f64>| {
-            a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
-            a
-        };
         let mut nodes = match &self.ranks {
-            None => tree(rows.collect(), plus),
+            None => tree_of_rows(blocks, width),
             Some(ranks) => {
+                let rows = blocks.chunks_exact(width).map(<[f64]>::to_vec);
+                let plus = |mut a: Vec<f64>, b: Vec<f64>| {
+                    a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+                    a
+                };
                 let of = &ranks.division.of_block;
                 let own = rows.zip(of).filter(|(_, of)| **of == ranks.rank()).map(|(row, _)| row);
                 let trees = vec![Tree::new(of.clone(), ranks.rank(), own)];
@@ -205,7 +214,7 @@ impl Engine {
         Snapshot {
             step: state.steps(),
             time: state.time(),
-            displacement: (0..state.u.len()).map(|node| state.shown(node)).collect(),
+            displacement: (0..state.u.len()).into_par_iter().map(|node| state.shown(node)).collect(),
             velocity,
             acceleration,
             stress: probed.stress,

@@ -95,11 +95,11 @@ impl Engine {
 
     /// Work \[J\] of what is held since the hand-over by the line of the part that does so much less, of those lines that are
     /// `wanted`, and by account.
-    pub(super) fn given(&self, state: &State, wanted: impl Fn(Line) -> bool) -> (Lines, Vec<Lines>) {
+    pub(super) fn given(&self, state: &State, wanted: impl Fn(Line) -> bool + Sync) -> (Lines, Vec<Lines>) {
         if state.carried.is_empty() {
             return (Lines::default(), vec![Lines::default(); self.assembly.accounts.len()]);
         }
-        self.added(self.counted(), |m| {
+        self.added_at_once(|m| {
             let (member, slices) = (&self.assembly.members[m as usize], &self.assembly.held[m as usize]);
             let work = |carried: &[Row]| -> f64 {
                 let own = carried[slices.contributions.clone()].iter().zip(member.part.nodes());

@@ -6,6 +6,7 @@ use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::history::History;
 use directions::{Frame, frames, widths};
+use rayon::prelude::*;
 use std::collections::HashMap;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::law_axes;
@@ -97,18 +98,13 @@ fn by_direction(
     (width, openings): (usize, Option<usize>),
     frame: Option<&Frame>,
 ) -> [f64; ALL.len()] {
-    let mut found = [0.0_f64; ALL.len()];
-    let mut squares = vec![[0.0; 6]; slot.points as usize];
-    for (k, column) in openings.into_iter().flat_map(|first| first..first + 6).enumerate() {
-        squares.iter_mut().zip(history.values(slot, column)).for_each(|(of, value)| of[k] = value);
-    }
-    for (squares, width) in squares.iter().zip(history.values(slot, width)) {
-        let frame = frame.filter(|_| openings.is_some());
-        for (most, opening) in found.iter_mut().zip(widths(frame, squares, width)) {
-            *most = most.max(opening);
-        }
-    }
-    found
+    let frame = frame.filter(|_| openings.is_some());
+    let mut columns = openings.map(|first| [0, 1, 2, 3, 4, 5].map(|k| history.values(slot, first + k)));
+    let points = history.values(slot, width).map(|width| {
+        let next = |columns: &mut [_; 6]| columns.each_mut().map(|of| Iterator::next(of).unwrap_or(0.0));
+        (columns.as_mut().map_or([0.0; 6], next), width)
+    });
+    widths(frame, points)
 }
 
 impl Observer for Cracks {
@@ -169,12 +165,16 @@ impl Cracks {
         let mut directions =
             memory.remove(DIRECTIONS).unwrap_or_else(|| vec![0.0; EACH * ALL.len() * self.cells.len()]);
         let own = directions.chunks_exact_mut(EACH * ALL.len());
-        for (Cell { slot, width, openings, frame }, own) in self.cells.iter().zip(own) {
+        let of = |Cell { slot, width, openings, frame }: &Cell| {
             let opening = history.values(slot, *width).fold(0.0, f64::max);
             let each = match opening > 0.0 {
                 true => by_direction(&history, slot, (*width, *openings), frame.as_ref()),
                 false => [0.0; ALL.len()],
             };
+            (opening, each)
+        };
+        let found: Vec<(f64, [f64; ALL.len()])> = self.cells.par_iter().map(of).collect();
+        for ((Cell { slot, .. }, own), (opening, each)) in self.cells.iter().zip(own).zip(found) {
             for (opening, own) in each.into_iter().zip(own.as_chunks_mut::<EACH>().0) {
                 own[2] = opening;
                 if opening > own[0] {

@@ -3,7 +3,7 @@
 use super::observer::{Event, Keeps, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::history::of_elements;
-use crate::point_stress::extremes_beyond;
+use crate::point_stress::fibre_extremes;
 use crate::quantities::length;
 use rayon::prelude::*;
 use tremolite_engine::phase::ElementSlot;
@@ -14,7 +14,7 @@ use tremolite_engine::state::Memory;
 /// intact.
 pub struct Envelopes {
     schedule: Schedule,
-    /// Members that elements are in.
+    /// Members with elements of several points, of which alone it counts here whether they are damaged.
     members: Vec<u32>,
 }
 
@@ -26,9 +26,13 @@ impl Envelopes {
     pub const S3_TIME: &'static str = "s3_min_time";
 
     pub fn new(setting: &Setting) -> Self {
-        Envelopes { schedule: setting.rows(), members: of_elements(setting.phase) }
+        let several = |slot: &ElementSlot| slot.points > 1;
+        Envelopes { schedule: setting.rows(), members: of_elements(setting.phase, several) }
     }
 }
+
+/// Elements whose principal stresses are found together.
+const AT_ONCE: usize = 256;
 
 fn column<'m>(memory: &'m mut Memory, name: &str, length: usize, start: f64) -> &'m mut Vec<f64> {
     memory.entry(name.into()).or_insert_with(|| vec![start; length])
@@ -70,21 +74,22 @@ impl Envelopes {
             column(memory, time, elements, 0.0);
         }
         let slots: Vec<&ElementSlot> = view.phase.element_slot.iter().flatten().collect();
-        let kept = [Self::S1, Self::S3].map(|name| memory.get(name).map_or(&[][..], Vec::as_slice));
-        let beyond = |slot: &&ElementSlot| {
-            let (first, element) = (slot.point as usize, slot.element as usize);
-            let points = &view.snapshot.stress[first..first + slot.points as usize];
-            let seen = kept.map(|kept| kept[element]);
-            Some((element, extremes_beyond(&slot.places, points, damaged[element], seen)?))
+        let of_some = |slots: &[&ElementSlot]| {
+            let seen = slots.iter().map(|slot| {
+                let points = &view.snapshot.stress[slot.point as usize..][..slot.points as usize];
+                (&slot.places, points, damaged[slot.element as usize])
+            });
+            fibre_extremes(seen).collect::<Vec<_>>()
         };
-        let found: Vec<(usize, [f64; 2])> = slots.par_iter().filter_map(beyond).collect();
+        let found: Vec<Vec<[f64; 2]>> = slots.par_chunks(AT_ONCE).map(of_some).collect();
         for (name, time, which, sign) in kinds {
             let most = column(memory, name, elements, sign * f64::NEG_INFINITY);
             let mut later = Vec::new();
-            for (element, now) in &found {
-                if sign * now[which] > sign * most[*element] {
-                    most[*element] = now[which];
-                    later.push(*element);
+            for (slot, now) in slots.iter().zip(found.iter().flatten()) {
+                let element = slot.element as usize;
+                if sign * now[which] > sign * most[element] {
+                    most[element] = now[which];
+                    later.push(element);
                 }
             }
             let times = column(memory, time, elements, 0.0);

@@ -29,7 +29,7 @@ impl Onsets {
             bodies.any(|b| position(b.material.info().history, m.role).is_some())
         };
         let measures: Vec<Measure> = MEASURES.iter().filter(known).copied().collect();
-        let members = of_elements(setting.phase);
+        let members = of_elements(setting.phase, |_| true);
         (!measures.is_empty()).then(|| Onsets { schedule: setting.rows(), measures, members })
     }
 }

@@ -3,7 +3,8 @@
 use crate::observers::section_forces::lined;
 use std::collections::HashMap;
 use tremolite_engine::model::Model;
-use tremolite_laws::sym3::eigen;
+use tremolite_laws::Octet;
+use tremolite_laws::sym3::eigen_of_eight;
 use tremolite_results::CrackDirection;
 
 /// Unit vectors of a lining at an element: round the ring, and through the thickness; the third is along the axis.
@@ -52,26 +53,35 @@ impl Frame {
     }
 }
 
-/// The widest crack \[m\] of each direction at a point, of its openings squared \[m²\] and the width of its widest crack \[m\].
+/// The widest crack \[m\] of each direction at some points, by the openings squared \[m²\] and the width of the widest crack \[m\] of each.
 pub(super) fn widths(
     frame: Option<&Frame>,
-    squares: &[f64; 6],
-    width: f64,
+    points: impl Iterator<Item = ([f64; 6], f64)>,
 ) -> [f64; CrackDirection::ALL.len()] {
-    let mut found = [0.0; CrackDirection::ALL.len()];
-    if width <= 0.0 {
-        return found;
-    }
-    let Some(frame) = frame else {
-        found[CrackDirection::Unplaced as usize] = width;
-        return found;
+    let mut found = [0.0_f64; CrackDirection::ALL.len()];
+    let mut meet = |direction: CrackDirection, opening: f64| {
+        let most = &mut found[direction as usize];
+        *most = most.max(opening);
     };
-    let cracks = eigen(squares);
-    for (k, (square, normal)) in cracks.values.iter().zip(&cracks.vectors).enumerate() {
-        let opening = if k == 0 { width } else { square.max(0.0).sqrt() };
-        if opening > ROUND_OFF * width {
-            let of = &mut found[frame.direction(normal) as usize];
-            *of = of.max(opening);
+    let mut open = points.filter(|(_, width)| *width > 0.0).peekable();
+    while open.peek().is_some() {
+        let (mut squares, mut widths) = ([Octet::ZERO; 6], Vec::with_capacity(8));
+        for (lane, (of_point, width)) in open.by_ref().take(8).enumerate() {
+            squares.iter_mut().zip(of_point).for_each(|(octet, x)| octet.0[lane] = x);
+            widths.push(width);
+        }
+        let Some(frame) = frame else {
+            widths.into_iter().for_each(|width| meet(CrackDirection::Unplaced, width));
+            continue;
+        };
+        let cracks = eigen_of_eight(&squares);
+        for (lane, width) in widths.into_iter().enumerate() {
+            for (k, (square, normal)) in cracks.values.iter().zip(&cracks.vectors).enumerate() {
+                let opening = if k == 0 { width } else { square.0[lane].max(0.0).sqrt() };
+                if opening > ROUND_OFF * width {
+                    meet(frame.direction(&normal.map(|x| x.0[lane])), opening);
+                }
+            }
         }
     }
     found
@@ -112,10 +122,17 @@ mod tests {
         let (split, ring) = (turned([0.0, 0.0, 1.0]), turned([0.0, 1.0, 0.0]));
         let of = |i: usize, k: usize| 9e-6 * split[i] * split[k] + 1e-6 * ring[i] * ring[k];
         let squares = [of(0, 0), of(1, 1), of(2, 2), of(0, 1), of(1, 2), of(2, 0)];
-        let [longitudinal, across, parallel, unplaced] = widths(Some(&FRAME), &squares, 3e-3);
+        let [longitudinal, across, parallel, unplaced] = widths(Some(&FRAME), [(squares, 3e-3)].into_iter());
         assert_eq!([longitudinal, parallel, unplaced], [0.0, 3e-3, 0.0]);
         assert!((across - 1e-3).abs() < 1e-12, "{across}");
-        assert_eq!(widths(None, &squares, 3e-3), [0.0, 0.0, 0.0, 3e-3]);
-        assert_eq!(widths(Some(&FRAME), &[0.0; 6], 0.0), [0.0; 4]);
+        assert_eq!(widths(None, [(squares, 3e-3)].into_iter()), [0.0, 0.0, 0.0, 3e-3]);
+        assert_eq!(widths(Some(&FRAME), [([0.0; 6], 0.0)].into_iter()), [0.0; 4]);
+        // Of many points, the widest of each, wherever it lies among them.
+        let many = (0..19).map(|k| match k {
+            17 => (squares, 3e-3),
+            _ => ([0.0; 6], if k % 2 == 0 { 0.0 } else { 1e-9 }),
+        });
+        let [_, across, parallel, _] = widths(Some(&FRAME), many);
+        assert!((across - 1e-3).abs() < 1e-12 && parallel == 3e-3, "{across} {parallel}");
     }
 }
