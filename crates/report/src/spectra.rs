@@ -2,6 +2,8 @@
 
 mod figure;
 
+use std::collections::HashSet;
+
 use tremolite_results::{Subject, Table};
 
 use crate::chapter::figure::{Block, Chapter, Figure, Section};
@@ -15,6 +17,8 @@ use crate::spectra::figure::{AXES, DrawnSpectra, SpectraRow, SpectrumPlace, figu
 
 /// Monitors in one figure: as many as a printed page has room for.
 const ROWS: usize = 6;
+/// Monitors drawn and listed, at most; of more nobody reads each.
+const MOST: usize = 14 * ROWS;
 /// From this many rows a period on an oscillator's peak is at most 1 − cos π/10 above its rows'.
 const ROWS_A_PERIOD: f64 = 10.0;
 /// The names of the monitors, in the order of the file.
@@ -97,8 +101,9 @@ pub fn section(source: &Source) -> Option<Section> {
     let of = |name: &str| {
         (SpectrumPlace::of(table, name), SpectrumPlace::of(table, &format!("{name}.free_field")))
     };
-    let points: Vec<(SpectrumPlace, SpectrumPlace)> =
-        monitors(table).into_iter().map(of).filter(|(own, _)| own.is_known()).collect();
+    let points: Vec<Pair> = monitors(table).into_iter().map(of).filter(|(own, _)| own.is_known()).collect();
+    let all = points.len();
+    let points = largest(points);
     let own: Vec<&SpectrumPlace> = points.iter().map(|(own, _)| own).collect();
     let axes_of = moving(&own);
     if axes_of.is_empty() {
@@ -127,6 +132,14 @@ pub fn section(source: &Source) -> Option<Section> {
              free field to compare with."
         );
     }
+    if all > points.len() {
+        caption.push_str(&say!(
+            language,
+            " Drawn and listed are the {most} of {all} monitors with the largest spectra; spectra.csv has all.",
+            most = points.len(),
+            all = all
+        ));
+    }
     let figures = rows.chunks(ROWS).enumerate().map(|(k, rows)| {
         let file = if k == 0 { "spectra.svg".into() } else { format!("spectra-{}.svg", k + 1) };
         let figure = figure(rows, &axes_of, periods, &heading, file, source);
@@ -141,7 +154,21 @@ pub fn section(source: &Source) -> Option<Section> {
     Some(Section::Told(Chapter { id: "spectra", heading, blocks: vec![block] }))
 }
 
-fn row<'a>((own, beside): &'a (SpectrumPlace<'a>, SpectrumPlace<'a>), language: Language) -> SpectraRow<'a> {
+/// A monitor, and the free field at its level.
+type Pair<'a> = (SpectrumPlace<'a>, SpectrumPlace<'a>);
+
+/// Of more than [`MOST`] those with the largest values of any component, in their order.
+fn largest(points: Vec<Pair<'_>>) -> Vec<Pair<'_>> {
+    if points.len() <= MOST {
+        return points;
+    }
+    let mut sizes: Vec<(usize, f64)> = points.iter().map(|(own, _)| own.largest()).enumerate().collect();
+    sizes.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let chosen: HashSet<usize> = sizes.into_iter().take(MOST).map(|(k, _)| k).collect();
+    points.into_iter().enumerate().filter(|(k, _)| chosen.contains(k)).map(|(_, pair)| pair).collect()
+}
+
+fn row<'a>((own, beside): &'a Pair<'a>, language: Language) -> SpectraRow<'a> {
     let mut drawn = Vec::new();
     if beside.is_known() {
         let name = say!(language, "free field at the monitor's level");
@@ -181,12 +208,7 @@ fn explained(source: &Source) -> String {
 }
 
 /// The largest of each spectrum, and at which period.
-fn peaks(
-    source: &Source,
-    points: &[(SpectrumPlace, SpectrumPlace)],
-    axes_of: &[usize],
-    periods: &[f64],
-) -> TextTable {
+fn peaks(source: &Source, points: &[Pair], axes_of: &[usize], periods: &[f64]) -> TextTable {
     let language = source.language;
     let shortest = ROWS_A_PERIOD * interval(source).unwrap_or(0.0);
     let scale = source.scale(Kind::Acceleration);

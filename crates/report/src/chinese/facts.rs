@@ -10,6 +10,7 @@ pub const TEXTS: Texts = &[
     ("Run: all {judged} checks pass", "计算：{judged} 项检查全部通过"),
     ("Run: done, 1 of {judged} checks warns", "计算：完成，{judged} 项检查中 1 项警告"),
     ("Run: done, {warnings} of {judged} checks warn", "计算：完成，{judged} 项检查中 {warnings} 项警告"),
+    ("{heading}: the {most} of {all} that reach most", "{heading}：共 {all} 个，列出幅值最大的 {most} 个"),
     // Cards.
     ("Largest displacement of a monitor", "监测点最大位移"),
     (

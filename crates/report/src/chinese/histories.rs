@@ -7,6 +7,10 @@ pub const TEXTS: Texts = &[
         "Of all steps the largest is {size}, {quantity} of {monitor}.",
         "全部时间步中最大为 {size}（{monitor} 的 {quantity}）。",
     ),
+    (
+        "Drawn are the {most} of {all} that reach most; the other {left} are in the tables of the result folder and in the grey range.",
+        "共 {all} 条曲线，只绘出幅值最大的 {most} 条；其余 {left} 条见结果文件夹中的表格，并计入灰色范围。",
+    ),
     ("Each line stands alone; grey is the range of all of them.", "每条曲线单独绘出；灰色为全部曲线的范围。"),
     ("{value} at {time}\u{a0}s", "{time}\u{a0}s 时 {value}"),
     ("no values", "无数值"),

@@ -11,6 +11,10 @@ pub const TEXTS: Texts = &[
     ("free field, base", "自由场底部"),
     ("Response spectra of the motion that comes in", "输入地震动的反应谱"),
     (
+        " Drawn and listed are the {most} of {all} monitors with the largest spectra; spectra.csv has all.",
+        "共 {all} 个监测点，只绘出并列出反应谱幅值最大的 {most} 个；全部见 spectra.csv。",
+    ),
+    (
         "Largest acceleration of an oscillator of each period with 5 % of critical damping (ω² times its largest displacement). \
          Compare the motion given with the spectrum that the design calls for. The surface of level rock that is neither damped \
          nor layered would have twice the incident wave's. Numbers: spectra.csv.",

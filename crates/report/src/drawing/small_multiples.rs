@@ -1,6 +1,6 @@
 //! Small multiples: each history alone, in ink over the range of all, where one panel would be a tangle.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::drawing::axes::{Axes, drawable};
 use crate::drawing::chart::{Curve, Panel};
@@ -41,11 +41,17 @@ impl Multiples<'_> {
         let mut svg = Svg::new(WIDTH);
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(1).max(1);
         let width = WIDTH / columns as f64;
-        let labels = self.rows.iter().flatten().flatten().flat_map(|(panel, _)| ticks(panel).marks);
-        let indent = labels.map(|(_, label)| text_width(&label, 12.0) + 11.0).fold(LEFT, f64::max);
+        // Worked out once a panel, of which any number of lines are cells.
+        let mut ups: HashMap<*const Panel<'_>, Ticks> = HashMap::new();
+        for &(panel, _) in self.rows.iter().flatten().flatten() {
+            ups.entry(panel).or_insert_with(|| ticks(panel));
+        }
+        let labels = ups.values().flat_map(|up| &up.marks);
+        let indent = labels.map(|(_, label)| text_width(label, 12.0) + 11.0).fold(LEFT, f64::max);
         let finite = || self.time.iter().copied().filter(|t| drawable(*t));
         let (from, to) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
         let across = Ticks::within(from, to, (width / 75.0) as usize);
+        let mut ranges: HashMap<(*const Panel<'_>, usize), Vec<(f64, f64)>> = HashMap::new();
         let mut said = Vec::new();
         let mut headed: Vec<Option<&str>> = vec![None; columns];
         let mut top = 0.0;
@@ -75,15 +81,18 @@ impl Multiples<'_> {
             for (k, cell) in row.iter().enumerate() {
                 let Some(cell) = cell else { continue };
                 let left = k as f64 * width;
-                let up = ticks(cell.0);
                 let axes = Axes {
                     left: left + indent,
                     right: left + width - RIGHT,
-                    top: top + NAME,
-                    bottom: top + NAME + CELL,
+                    top: 0.0,
+                    bottom: CELL,
                     across: across.clone(),
-                    up,
+                    up: ups[&std::ptr::from_ref(cell.0)].clone(),
                 };
+                let below = top + NAME;
+                let range = ranges.entry((cell.0, k)).or_insert_with(|| range(self.time, cell.0, &axes));
+                svg.veil(&range.iter().map(|(x, y)| (*x, y + below)).collect::<Vec<_>>());
+                let axes = Axes { top: below, bottom: below + CELL, ..axes };
                 said.extend(self.cell(&mut svg, cell, &axes, language));
             }
             top += NAME + CELL;
@@ -109,7 +118,6 @@ impl Multiples<'_> {
         axes: &Axes,
         language: Language,
     ) -> Option<String> {
-        svg.veil(&range(self.time, panel, axes));
         axes.draw(svg);
         svg.text((axes.left, axes.top - 6.0), Anchor::Start, 12.0, Style::Bold, &line.name);
         let shown = |x: f64| if drawable(x) { x } else { f64::NAN };

@@ -1,7 +1,8 @@
 //! Tables of peaks: of monitors and of pairs of them, and the largest stresses of groups.
 
+use indexmap::IndexMap;
 use serde::Serialize;
-use tremolite_results::Summary;
+use tremolite_results::{Peaks, Summary};
 
 use crate::facts::ByName;
 use crate::interfaces::monitors::QUANTITIES;
@@ -9,6 +10,9 @@ use crate::language::say;
 use crate::quantities::scale::{figures, moment, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
+
+/// Monitors, or pairs of them, in a table, at most; of more nobody reads each.
+const MOST: usize = 84;
 
 /// Peaks of one family of quantities in one unit.
 #[derive(Serialize)]
@@ -123,8 +127,28 @@ fn peak_table(source: &Source, heading: String, kind: Kind, all: &ByName, wanted
     let idle = |x: f64| x.abs() < 1e-6 * most;
     let number = |x: f64| if idle(x) { "0".into() } else { scale.number(x) };
     let time = |t: f64, x: f64| if idle(x) { String::new() } else { moment(t, duration) };
+    let of_monitor = |by_quantity: &IndexMap<String, Peaks>| {
+        let own = by_quantity.iter().filter(|(q, _)| wanted.contains(&q.as_str()));
+        own.map(|(_, p)| p.largest().1.abs()).map(|x| if x.is_finite() { x } else { 0.0 }).reduce(f64::max)
+    };
+    let mut listed: Vec<(usize, f64)> =
+        all.values().enumerate().filter_map(|(k, peaks)| Some((k, of_monitor(peaks)?))).collect();
+    let having = listed.len();
+    listed.sort_by(|a, b| b.1.total_cmp(&a.1));
+    listed.truncate(MOST);
+    listed.sort_by_key(|(k, _)| *k);
+    let heading = match having > MOST {
+        true => say!(
+            source.language,
+            "{heading}: the {most} of {all} that reach most",
+            heading = heading,
+            most = MOST,
+            all = having
+        ),
+        false => heading,
+    };
     let mut rows = Vec::new();
-    for (monitor, by_quantity) in all {
+    for (monitor, by_quantity) in listed.iter().filter_map(|(k, _)| all.get_index(*k)) {
         let mut name = monitor.clone();
         for (quantity, p) in by_quantity.iter().filter(|(q, _)| wanted.contains(&q.as_str())) {
             rows.push(PeakRow {

@@ -2,21 +2,17 @@
 
 use std::borrow::Cow;
 
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 use tremolite_results::{Peaks, Subject, Summary, Table, halves};
 
 use crate::source::Source;
 
 /// Names of those of which `wanted` is true that have columns, in the table's order.
 pub fn names(table: &Table, wanted: impl Fn(&Subject) -> bool) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
     let subjects = table.columns.iter().map(|column| &column.subject);
-    for name in subjects.filter(|subject| wanted(subject)).filter_map(Subject::name) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names
+    let names: IndexSet<String> =
+        subjects.filter(|subject| wanted(subject)).filter_map(Subject::name).collect();
+    names.into_iter().collect()
 }
 
 pub fn is_pair(subject: &Subject) -> bool {

@@ -40,6 +40,11 @@ impl<'a> SpectrumPlace<'a> {
         self.spectrum.iter().any(|s| s.iter().any(|x| x.is_finite()))
     }
 
+    /// The largest value of any component; 0 without one.
+    pub fn largest(&self) -> f64 {
+        (0..3).map(|axis| largest(&[self], axis)).fold(0.0, f64::max)
+    }
+
     /// Period (s), from one on, and value of the largest of a component.
     pub fn peak(&self, periods: &[f64], axis: usize, shortest: f64) -> Option<(f64, f64)> {
         let values = periods.iter().copied().zip(self.spectrum[axis].iter().copied());

@@ -10,6 +10,7 @@ mod further_quantities;
 mod gaps;
 mod interface_results;
 mod interfaces;
+mod many_monitors;
 mod maps;
 mod numbers;
 mod odd_names;
