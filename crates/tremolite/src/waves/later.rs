@@ -65,11 +65,11 @@ mod tests {
 
     /// A sine of a twentieth of a sample's frequency under a bell, which is nothing at both ends.
     fn wave(t: f64) -> [[f64; 4]; 2] {
-        let (omega, s) = (TAU / 20.0, (t - 60.0) / 20.0);
+        let (omega, s) = (TAU / 20.0, (t - 80.0) / 16.0);
         let bell = (-s * s).exp();
         let (sin, cos) = (omega * t).sin_cos();
         [[bell * sin, 0.0, -3.0 * bell * sin, 0.0], {
-            let slope = bell * (omega * cos - s / 10.0 * sin);
+            let slope = bell * (omega * cos - s / 8.0 * sin);
             [slope, 0.0, -3.0 * slope, 0.0]
         }]
     }
