@@ -1,5 +1,4 @@
-//! A staged, lined cavern beside joints under SV at 25° with P at 15°: quiet without motion, its mirror image, levels and ranks. What halved
-//! steps and elements change is in the verification problem `oblique_hall`.
+//! A staged, lined cavern beside joints under SV at 25° with P at 15°: quiet without motion, its mirror image, levels and ranks.
 
 use crate::ranks::{Case, how};
 use crate::ready::Ready;
