@@ -169,9 +169,9 @@ impl Part for BasePart {
             let before = times(&sprung.matrix, *last);
             for i in 0..3 {
                 sums[i] += 0.5 * (spring[i] + before[i]) * du.0[i];
-                last[i] = scattered[i];
                 out[sprung.at].0[i] += spring[i];
             }
+            *last = scattered;
         }
         work[Line::Springs] += sums[0] + sums[1] + sums[2];
         work
