@@ -236,13 +236,19 @@ impl Now<'_> {
         out
     }
 
-    /// u − u_ff \[m\] at a place that has moved by `u`; `given` is u_ff of a given field there, `all` are the displacements of the engine's
-    /// nodes.
-    pub fn scattered(&self, place: &Place, mut u: [f64; 3], given: [f64; 3], all: &[Row]) -> [f64; 3] {
+    /// u − u_ff \[m\] at a place above [bottoms](Place::bottoms) that has moved by `u`; `given` is u_ff of a given field there, `all` are
+    /// the displacements of the engine's nodes.
+    pub fn scattered(
+        &self,
+        bottoms: &[(u32, f64)],
+        mut u: [f64; 3],
+        given: [f64; 3],
+        all: &[Row],
+    ) -> [f64; 3] {
         match self {
             Now::Given(..) => (0..3).for_each(|i| u[i] -= given[i]),
             Now::Rising(_) => {
-                for &(node, weight) in &place.bottoms {
+                for &(node, weight) in bottoms {
                     let bottom = all[node as usize].xyz();
                     (0..3).for_each(|i| u[i] -= weight * bottom[i]);
                 }

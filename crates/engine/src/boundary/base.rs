@@ -8,6 +8,7 @@ use super::at_points::AtPoints;
 use super::matrix::times;
 use crate::free_field::{FreeField, Now, Place, Pushes, Spot};
 use crate::parts::{Kept, Motion, Own, Part, Reads, Scratch, StateSizes, Tick};
+use crate::soon::soon;
 use tremolite_kernels::{Line, Lines};
 use tremolite_laws::Row;
 
@@ -38,8 +39,8 @@ struct Sprung {
     at: usize,
     /// N/m
     matrix: [f64; 6],
-    /// Where it asks for the free field, beside its points.
-    place: Place,
+    /// Bottoms of columns whose mean is the free field, with their weights.
+    bottoms: Vec<(u32, f64)>,
 }
 
 /// Push of the free field, and springs.
@@ -70,18 +71,15 @@ impl BasePart {
             FreeField::Beside(_) => Push::Dashpots(pushed.iter().map(|base| base.dashpot).collect()),
         };
         let nodes = pushed.iter().map(|base| base.node).collect();
-        let sprung = pushed.into_iter().enumerate().filter(|(_, base)| base.is_sprung());
-        let sprung: Vec<Sprung> = sprung
-            .map(|(at, base)| {
-                let place = Place { at: base.place.at, bottoms: base.place.bottoms, ..Place::default() };
-                Sprung { at, matrix: base.spring, place }
-            })
-            .collect();
-        let spot = |sprung: &Sprung| match &free_field {
-            FreeField::Given(field) => field.spot(sprung.place.at),
-            FreeField::Beside(_) => Spot::anywhere(sprung.place.at),
+        let spot = |base: &BaseNode| match &free_field {
+            FreeField::Given(field) => field.spot(base.place.at),
+            FreeField::Beside(_) => Spot::anywhere(base.place.at),
         };
-        let spots = sprung.iter().map(spot).collect();
+        let spots = pushed.iter().filter(|base| base.is_sprung()).map(spot).collect();
+        let sprung = pushed.into_iter().enumerate().filter(|(_, base)| base.is_sprung());
+        let sprung = sprung
+            .map(|(at, base)| Sprung { at, matrix: base.spring, bottoms: base.place.bottoms })
+            .collect();
         BasePart { nodes, free_field, pushes, sprung, spots }
     }
 
@@ -101,8 +99,12 @@ impl BasePart {
     }
 }
 
-/// Numbers remembered per node: the last u − u_ff, and the last push as it resists.
-const REMEMBERED: usize = 6;
+/// Numbers of a cache line.
+const NUMBERS_AT_ONCE: usize = 8;
+
+/// Numbers remembered: of each node the last push as it resists, and then of each that springs hold the last u − u_ff.
+const OF_NODE: usize = 3;
+const OF_SPRUNG: usize = 3;
 
 impl Part for BasePart {
     fn nodes(&self) -> &[u32] {
@@ -120,7 +122,7 @@ impl Part for BasePart {
 
     /// The bottoms of the columns whose motion is the free field, from which springs count.
     fn reads(&self) -> Reads {
-        let bottoms = self.sprung.iter().flat_map(|sprung| &sprung.place.bottoms);
+        let bottoms = self.sprung.iter().flat_map(|sprung| &sprung.bottoms);
         let mut nodes: Vec<u32> = bottoms.map(|(node, _)| *node).collect();
         nodes.sort_unstable();
         nodes.dedup();
@@ -128,51 +130,58 @@ impl Part for BasePart {
     }
 
     fn state_sizes(&self) -> StateSizes {
-        StateSizes { numbers: REMEMBERED * self.nodes.len(), ..StateSizes::default() }
+        let numbers = OF_NODE * self.nodes.len() + OF_SPRUNG * self.sprung.len();
+        StateSizes { numbers, ..StateSizes::default() }
     }
 
     fn forces(&self, tick: &Tick, x: &Motion, own: Own, out: &mut [Row], _: &mut Scratch) -> Lines {
         let now = self.free_field.now(tick.time);
         let pushes = self.free_field.line();
         let mut work = Lines::default();
+        let (last_pushes, last_scattered) = own.numbers.split_at_mut(OF_NODE * self.nodes.len());
+        // They come while the field is asked.
+        self.nodes.iter().for_each(|&node| soon(x.du, node as usize));
+        (0..last_pushes.len()).step_by(NUMBERS_AT_ONCE).for_each(|k| soon(last_pushes, k));
+        self.sprung.iter().for_each(|sprung| soon(x.u, self.nodes[sprung.at] as usize));
         let pushed = self.pushed(&now);
-        let mut sum = 0.0;
-        let remembered = own.numbers.chunks_exact_mut(REMEMBERED);
+        // By component: sums of their own need not wait for one another.
+        let mut sums = [0.0; 3];
+        let remembered = last_pushes.as_chunks_mut::<OF_NODE>().0;
         for (((&node, push), out), last) in self.nodes.iter().zip(pushed).zip(out.iter_mut()).zip(remembered)
         {
             let du = x.increment(node);
             for i in 0..3 {
                 let push = -push[i];
-                sum += 0.5 * (push + last[3 + i]) * du.0[i];
-                last[3 + i] = push;
+                sums[i] += 0.5 * (push + last[i]) * du.0[i];
+                last[i] = push;
                 out.0[i] = push;
             }
         }
-        work[pushes] += sum;
-        let mut sum = 0.0;
-        for (sprung, given) in self.sprung.iter().zip(now.displacements(&self.spots)) {
+        work[pushes] += sums[0] + sums[1] + sums[2];
+        let mut sums = [0.0; 3];
+        let given = now.displacements(&self.spots);
+        let remembered = last_scattered.as_chunks_mut::<OF_SPRUNG>().0;
+        for ((sprung, given), last) in self.sprung.iter().zip(given).zip(remembered) {
             let node = self.nodes[sprung.at];
-            let last = &mut own.numbers[REMEMBERED * sprung.at..][..3];
             let du = x.increment(node);
-            let scattered = now.scattered(&sprung.place, x.u[node as usize].xyz(), given, x.u);
+            let scattered = now.scattered(&sprung.bottoms, x.u[node as usize].xyz(), given, x.u);
             let spring = times(&sprung.matrix, scattered);
-            let before = times(&sprung.matrix, [last[0], last[1], last[2]]);
+            let before = times(&sprung.matrix, *last);
             for i in 0..3 {
-                sum += 0.5 * (spring[i] + before[i]) * du.0[i];
-                last[i] = scattered[i];
+                sums[i] += 0.5 * (spring[i] + before[i]) * du.0[i];
                 out[sprung.at].0[i] += spring[i];
             }
+            *last = scattered;
         }
-        work[Line::Springs] += sum;
+        work[Line::Springs] += sums[0] + sums[1] + sums[2];
         work
     }
 
     /// ½(u − u_ff)·K(u − u_ff).
     fn energy(&self, _: &Motion, kept: Kept) -> Lines {
         let mut held = Lines::default();
-        for sprung in &self.sprung {
-            let last = &kept.numbers[REMEMBERED * sprung.at..];
-            let d = [last[0], last[1], last[2]];
+        let scattered = kept.numbers[OF_NODE * self.nodes.len()..].as_chunks::<OF_SPRUNG>().0;
+        for (sprung, &d) in self.sprung.iter().zip(scattered) {
             let force = times(&sprung.matrix, d);
             held[Line::Springs] += 0.5 * (force[0] * d[0] + force[1] * d[1] + force[2] * d[2]);
         }

@@ -68,6 +68,8 @@ fn compact(nodes: Vec<BaseNode>, size: usize, level: impl Fn(&BaseNode) -> u8) -
     let mut left: Vec<Vec<BaseNode>> = of_level.into_values().rev().collect();
     while let Some(mut own) = left.pop() {
         if own.len() <= size {
+            // As the engine's nodes lie in memory.
+            own.sort_by_key(|base| base.node);
             out.push(own);
             continue;
         }

@@ -1,6 +1,7 @@
 //! Contributions of parts to the force of a node.
 
 use crate::phase::Phase;
+use crate::soon::soon;
 use tremolite_laws::Row;
 
 /// Sum of a node's contributions, in the order of parts.
@@ -23,17 +24,9 @@ const AHEAD: usize = 8;
 /// Asks for the contributions of a node some nodes on, which lie wherever their parts have left them. It changes no number.
 #[inline(always)]
 pub(super) fn expect(phase: &Phase, contributions: &[Row], node: usize) {
-    #[cfg(target_arch = "x86_64")]
     if let Some(&[start, end]) = phase.start.get(node + AHEAD..node + AHEAD + 2) {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        for &slot in &phase.slot[start as usize..end as usize] {
-            let row = contributions.as_ptr().wrapping_add(slot as usize);
-            // SAFETY: a hint, which touches nothing.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(row.cast()) };
-        }
+        phase.slot[start as usize..end as usize].iter().for_each(|&slot| soon(contributions, slot as usize));
     }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = (phase, contributions, node, AHEAD);
 }
 
 /// What is left of a node's force where some of it is held.

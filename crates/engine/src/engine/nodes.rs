@@ -166,13 +166,19 @@ pub(super) fn given(
     leads: &mut [Lead],
 ) {
     let Some(field) = &model.boundaries.free_field else { return };
-    let level = |place: &u32| model.nodes.level[phase.leaders[*place as usize].node() as usize];
-    let velocities = |places: &[u32]| -> Vec<[f64; 3]> {
-        let mut found = vec![[0.0; 3]; places.len()];
-        let Some(time) = time else { return found };
+    let one_level = phase.beats.len() == 1;
+    let level = |place: &u32| match one_level {
+        true => 0,
+        false => model.nodes.level[phase.leaders[*place as usize].node() as usize],
+    };
+    // Leads from the first of some places to the last.
+    let velocities = |(places, leads): (&&[u32], &mut [Lead])| {
+        let mut found = [[0.0; 3]; AT_ONCE];
+        let found = &mut found[..places.len()];
         let mut first = 0;
         // Those of a level have one step.
         for alike in places.chunk_by(|a, b| level(a) == level(b)) {
+            let Some(time) = time else { break };
             let dt = dt * span(level(&alike[0])) as f64;
             let found = &mut found[first..first + alike.len()];
             let from = alike[0] as usize;
@@ -188,13 +194,17 @@ pub(super) fn given(
             }
             first += alike.len();
         }
-        found
+        for (place, velocity) in places.iter().zip(found) {
+            let velocity = Row::new(*velocity);
+            leads[(place - places[0]) as usize] = Lead { mean: velocity, hat: velocity };
+        }
     };
-    let found: Vec<Vec<[f64; 3]>> = beat.given.par_chunks(AT_ONCE).map(velocities).collect();
-    for (&place, velocity) in beat.given.iter().zip(found.into_iter().flatten()) {
-        let velocity = Row::new(velocity);
-        leads[place as usize] = Lead { mean: velocity, hat: velocity };
-    }
+    let chunks: Vec<&[u32]> = beat.given.chunks(AT_ONCE).collect();
+    let leads = split(leads, &chunks, |places| {
+        let [first, last] = [0, places.len() - 1].map(|k| places[k] as usize);
+        first..last + 1
+    });
+    chunks.par_iter().zip(leads).for_each(velocities);
 }
 
 /// u^n to u^{n+1}, with room for what leaders leave; `time` is that of a given free field, which else is at rest. Blocks book onto the

@@ -6,9 +6,9 @@ use super::ground::LayeredGround;
 use super::heading::Heading;
 use super::prepared::{OneWave, Prepared};
 use super::pushed::{Known, Pushed, Source};
-use super::rows::Rows;
 use super::series::{Rings, Series, arrives, bytes};
 use std::sync::{Arc, OnceLock};
+use tremolite_engine::courses::{self, Asked, Courses};
 use tremolite_engine::free_field::{GivenField, Place, Pushes, Spot};
 use tremolite_motion::{Complex64, Motion};
 
@@ -198,31 +198,49 @@ impl ObliqueField {
         known.map(|known| known.numbers.len()).sum()
     }
 
-    /// Makes of each spot the sum of what each wave does there: `ready` by the number of the height and the samples by which the wave is later,
-    /// `elsewhere` by the height \[m\] above the base and those samples.
+    /// Makes of each spot the sum of what each wave does there: `ready` reads courses, `elsewhere` is by the height \[m\] above the base and the
+    /// samples by which the wave is later.
     #[inline(always)]
     fn each(
         &self,
         spots: &[Spot],
         out: &mut [[f64; 3]],
-        ready: impl Fn(usize, &Rows, u32, f64) -> [f64; 4],
+        ready: impl Fn(usize, &Courses, &[Asked], &mut [[f64; 4]]),
         elsewhere: impl Fn(usize, f64, f64) -> [f64; 4],
     ) {
         out.fill([0.0; 3]);
+        let mut asked = [Asked { number: 0, late: 0.0 }; AT_ONCE];
+        let mut found = [[0.0; 4]; AT_ONCE];
         for (k, wave) in self.waves.iter().enumerate() {
-            let rows = self.prepared.get().map(|prepared| prepared.motion(k));
+            let courses = self.prepared.get().map(|prepared| prepared.motion(k));
             let [px, py] = wave.slowness.map(|p| p / wave.series.dt());
-            for (spot, out) in spots.iter().zip(out.iter_mut()) {
-                let late = px * (spot.at[0] - wave.at[0]) + py * (spot.at[1] - wave.at[1]);
-                let u = match rows {
-                    Some(rows) if spot.height != Spot::UNKNOWN => ready(k, rows, spot.height, late),
-                    _ => elsewhere(k, spot.at[2] - self.base, late),
-                };
-                (0..3).for_each(|i| out[i] += u[i]);
+            for (spots, out) in spots.chunks(AT_ONCE).zip(out.chunks_mut(AT_ONCE)) {
+                let asked = &mut asked[..spots.len()];
+                let found = &mut found[..spots.len()];
+                for (asked, spot) in asked.iter_mut().zip(spots) {
+                    let late = px * (spot.at[0] - wave.at[0]) + py * (spot.at[1] - wave.at[1]);
+                    *asked = Asked { number: spot.height, late };
+                }
+                match courses {
+                    Some(courses) => ready(k, courses, asked, found),
+                    None => found.fill([0.0; 4]),
+                }
+                for ((out, found), (spot, asked)) in
+                    out.iter_mut().zip(&*found).zip(spots.iter().zip(&*asked))
+                {
+                    let u = match courses {
+                        Some(_) if spot.height != Spot::UNKNOWN => *found,
+                        _ => elsewhere(k, spot.at[2] - self.base, asked.late),
+                    };
+                    (0..3).for_each(|i| out[i] += u[i]);
+                }
             }
         }
     }
 }
+
+/// Spots whose courses are read together.
+const AT_ONCE: usize = 64;
 
 impl GivenField for ObliqueField {
     fn displacement(&self, at: [f64; 3], time: f64) -> [f64; 3] {
@@ -254,28 +272,39 @@ impl GivenField for ObliqueField {
 
     fn displacements(&self, spots: &[Spot], time: f64, out: &mut [[f64; 3]]) {
         let now: Vec<f64> = self.waves.iter().map(|wave| self.place(wave, time)).collect();
-        self.each(
-            spots,
-            out,
-            |k, rows, height, late| rows.at(height, now[k] - late),
-            |k, height, late| self.waves[k].displacement(height, now[k] - late),
+        courses::wide(
+            #[inline(always)]
+            || {
+                self.each(
+                    spots,
+                    out,
+                    |k, courses, asked, found| courses.read(asked, now[k], found),
+                    |k, height, late| self.waves[k].displacement(height, now[k] - late),
+                );
+            },
         );
     }
 
     fn velocities(&self, spots: &[Spot], time: f64, dt: f64, out: &mut [[f64; 3]]) {
         let ends = |wave: &OneWave| [time - dt, time + dt].map(|time| self.place(wave, time));
         let ends: Vec<[f64; 2]> = self.waves.iter().map(ends).collect();
-        self.each(
-            spots,
-            out,
-            |k, rows, height, late| rows.gained(height, ends[k][0] - late, ends[k][1] - late),
-            |k, height, late| {
-                let [before, after] = ends[k].map(|place| self.waves[k].displacement(height, place - late));
-                [0, 1, 2, 3].map(|i| after[i] - before[i])
+        courses::wide(
+            #[inline(always)]
+            || {
+                self.each(
+                    spots,
+                    out,
+                    |k, courses, asked, found| courses.gained(asked, ends[k], found),
+                    |k, height, late| {
+                        let [before, after] =
+                            ends[k].map(|place| self.waves[k].displacement(height, place - late));
+                        [0, 1, 2, 3].map(|i| after[i] - before[i])
+                    },
+                );
+                let per_time = 1.0 / (2.0 * dt);
+                out.iter_mut().flatten().for_each(|v| *v *= per_time);
             },
         );
-        let per_time = 1.0 / (2.0 * dt);
-        out.iter_mut().flatten().for_each(|v| *v *= per_time);
     }
 
     fn pushes(&self, places: &[&Place]) -> Option<Box<dyn Pushes>> {

@@ -3,12 +3,13 @@
 use super::heading::Heading;
 use super::heights::Heights;
 use super::pushed::Known;
-use super::rows::{self, Rows, Term};
+use super::rows::{Term, rows};
 use super::series::Series;
 use super::stacks::{Stack, Stacking};
 use std::cmp::Reverse;
 use std::collections::HashMap;
 use std::sync::Arc;
+use tremolite_engine::courses::{self, Courses};
 use tremolite_engine::free_field::Place;
 
 /// One wave.
@@ -57,7 +58,7 @@ pub struct Prepared {
     /// Above the base, where motion is asked for.
     heights: Heights,
     /// Of each wave displacements there, and what pushes places.
-    motion: Vec<Rows>,
+    motion: Vec<Courses>,
     pushes: Vec<Arc<Known>>,
 }
 
@@ -65,7 +66,7 @@ impl Prepared {
     /// For the places of a model.
     pub fn of(waves: &[OneWave], places: &[&Place]) -> Prepared {
         let room = |wave: &OneWave| (MOST * wave.series.bytes()).max(SMALL);
-        let sums = |bytes: usize, wave: &OneWave| bytes / rows::bytes(1, wave.series.samples());
+        let sums = |bytes: usize, wave: &OneWave| bytes / courses::bytes(1, wave.series.samples());
         // One list of heights for all waves, as long as the least of their memory allows.
         let most = waves.iter().map(|wave| sums(room(wave) / 2, wave)).min().unwrap_or(0);
         let heights = waves.first().map_or_else(Vec::new, |wave| {
@@ -76,8 +77,9 @@ impl Prepared {
         let (mut motion, mut pushes) = (Vec::new(), Vec::new());
         for wave in waves {
             let of = wave.heading.motion();
-            let terms: Vec<[Term; 1]> = heights.all().iter().map(|&height| [Term { height, of }]).collect();
-            let own = Rows::of(&wave.series, false, terms.iter().map(|term| &term[..]));
+            let term = |&height: &f64| [Term { behind: 0.0, height, of }];
+            let terms: Vec<[Term; 1]> = heights.all().iter().map(term).collect();
+            let own = rows(&wave.series, false, &terms.iter().map(|term| &term[..]).collect::<Vec<_>>());
             let left = sums(room(wave) - own.bytes(), wave);
             motion.push(own);
             pushes.push(Arc::new(known(wave, places, left)));
@@ -91,7 +93,7 @@ impl Prepared {
     }
 
     /// Displacements of a wave at the heights.
-    pub fn motion(&self, wave: usize) -> &Rows {
+    pub fn motion(&self, wave: usize) -> &Courses {
         &self.motion[wave]
     }
 
@@ -102,7 +104,7 @@ impl Prepared {
 
     /// What it takes of memory.
     pub fn bytes(&self) -> usize {
-        let motion: usize = self.motion.iter().map(Rows::bytes).sum();
+        let motion: usize = self.motion.iter().map(Courses::bytes).sum();
         motion + self.pushes.iter().map(|known| known.rows.bytes()).sum::<usize>()
     }
 }
@@ -117,25 +119,61 @@ fn frequent(heights: &[f64], size: f64, most: usize) -> Vec<f64> {
     counts.into_iter().map(|(_, height)| height).collect()
 }
 
-/// The stacks of places of which series are kept, so many at most: first those that stand for most points.
-pub fn known(wave: &OneWave, places: &[&Place], most: usize) -> Known {
-    let stacking = wave.stacking();
+/// Places that are pushed alike from which on one course for all that pushes them goes before courses that others share: a place asks for four
+/// of those on a side, and for up to sixteen at the base.
+const ALIKE: usize = 4;
+
+/// Stacks that are alike, and how many points and places they stand for.
+struct Alike {
+    stack: Stack,
+    points: usize,
+    places: usize,
+}
+
+/// Those of some stacks that are not known, each once, those first that stand for most points: in an order of the whole model, so that ranks
+/// which have parts of it keep the same.
+fn alike(stacks: impl Iterator<Item = Stack>, known: &HashMap<Vec<i64>, u32>) -> Vec<Alike> {
     let mut numbers: HashMap<Vec<i64>, usize> = HashMap::new();
-    let mut found: Vec<(Stack, usize)> = Vec::new();
-    for stack in places.iter().flat_map(|place| stacking.of(place)) {
+    let mut found: Vec<Alike> = Vec::new();
+    for stack in stacks.filter(|stack| !known.contains_key(&stack.key)) {
         let points = stack.terms.len();
         match numbers.get(&stack.key) {
-            Some(&k) => found[k].1 += points,
+            Some(&k) => {
+                found[k].points += points;
+                found[k].places += 1;
+            }
             None => {
                 numbers.insert(stack.key.clone(), found.len());
-                found.push((stack, points));
+                found.push(Alike { stack, points, places: 1 });
             }
         }
     }
-    // In an order of the whole model, so that ranks which have parts of it keep the same.
-    found.sort_by_key(|(_, points)| Reverse(*points));
-    found.truncate(most);
-    let numbers = (0..).zip(&found).map(|(k, (stack, _))| (stack.key.clone(), k)).collect();
-    let rows = Rows::of(&wave.series, true, found.iter().map(|(stack, _)| &stack.terms[..]));
+    found.sort_by_key(|alike| Reverse(alike.points));
+    found
+}
+
+/// The stacks of places of which courses are kept, so many at most: all that pushes a place, where there is room for that or many places are
+/// pushed alike, and for the others what is pushed together.
+pub fn known(wave: &OneWave, places: &[&Place], most: usize) -> Known {
+    let stacking = wave.stacking();
+    let mut numbers: HashMap<Vec<i64>, u32> = HashMap::new();
+    let mut kept: Vec<Stack> = Vec::new();
+    let mut keep = |all: Vec<Alike>, numbers: &mut HashMap<Vec<i64>, u32>| {
+        for Alike { stack, .. } in all.into_iter().take(most - kept.len()) {
+            numbers.insert(stack.key.clone(), kept.len() as u32);
+            kept.push(stack);
+        }
+    };
+    let whole = |place: &&Place| stacking.whole(place);
+    let mut wholes = alike(places.iter().filter_map(whole), &numbers);
+    if wholes.len() > most {
+        wholes.retain(|alike| alike.places >= ALIKE);
+    }
+    keep(wholes, &mut numbers);
+    let rest = places.iter().filter(|place| whole(place).is_some_and(|own| !numbers.contains_key(&own.key)));
+    let rest = alike(rest.flat_map(|place| stacking.of(place)), &numbers);
+    keep(rest, &mut numbers);
+    let terms: Vec<&[Term]> = kept.iter().map(|stack| &stack.terms[..]).collect();
+    let rows = rows(&wave.series, true, &terms);
     Known { numbers, rows }
 }

@@ -1,16 +1,17 @@
 //! What the waves of a field push a piece of a boundary with.
 
-use super::rows::{Rows, Term};
+use super::rows::Term;
 use super::series::Series;
 use super::stacks::{Stack, Stacking};
 use std::collections::HashMap;
 use std::sync::Arc;
+use tremolite_engine::courses::{Asked, Courses};
 use tremolite_engine::free_field::{Place, Pushes};
 
 /// Stacks of which series are kept, of one wave.
 pub struct Known {
     pub numbers: HashMap<Vec<i64>, u32>,
-    pub rows: Rows,
+    pub rows: Courses,
 }
 
 /// One wave of a field, as a piece of a boundary asks for it.
@@ -33,8 +34,7 @@ struct Read {
     series: Arc<Series>,
     known: Arc<Known>,
     start: f64,
-    /// Which sum, and by how many samples it is later.
-    sums: Vec<(u32, f64)>,
+    sums: Vec<Asked>,
     alone: Vec<Alone>,
 }
 
@@ -71,9 +71,15 @@ impl Pushed {
                 shares.push((place, number, size));
             };
             for (k, place) in places.iter().enumerate() {
+                let known = |stack: &Stack| source.known.numbers.get(&stack.key).copied();
+                let Some(whole) = source.stacking.whole(place) else { continue };
+                if let Some(number) = known(&whole) {
+                    read(k, Kind::Sum(number), whole);
+                    continue;
+                }
                 for stack in source.stacking.of(place) {
-                    match source.known.numbers.get(&stack.key) {
-                        Some(&number) => read(k, Kind::Sum(number), stack),
+                    match known(&stack) {
+                        Some(number) => read(k, Kind::Sum(number), stack),
                         None => stack.points().into_iter().for_each(|point| read(k, Kind::Alone, point)),
                     }
                 }
@@ -89,7 +95,7 @@ impl Pushed {
             for &k in &order {
                 let (kind, _, stack) = &found[k];
                 match kind {
-                    Kind::Sum(number) => sums.push((*number, stack.late)),
+                    Kind::Sum(number) => sums.push(Asked { number: *number, late: stack.late }),
                     Kind::Alone => alone.push(Alone { late: stack.late, term: stack.terms[0].clone() }),
                 }
             }

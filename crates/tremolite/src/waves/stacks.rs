@@ -1,8 +1,9 @@
-//! Points of faces that a wave reaches at one time, and what a node takes of them together.
+//! Points of faces of which a wave makes one course of force, and what a node takes of them together.
 //!
 //! What pushes a node is a sum over the points of its faces of a matrix times the stress there. Under one wave that differs with the
-//! height and the delay alone, so points with one delay, such as those one above another on a side, make one series of force:
-//! a stack. Where a mesh has its nodes in rows the stacks of a row are alike but for their size.
+//! height and the delay alone, so all points of a node make one course of force; and where a mesh has its nodes in rows, those of a row
+//! have the same course but for its size and delay. Where they are not, points with one delay, such as those one above another on a
+//! side, make one that nodes beside share.
 
 use super::rows::Term;
 use tremolite_engine::boundary::matrix::times;
@@ -27,10 +28,10 @@ pub struct Stacking {
     pub height: f64,
 }
 
-/// Points with one delay.
+/// Points together.
 #[derive(Clone, Debug)]
 pub struct Stack {
-    /// Samples.
+    /// Samples by which the first of them is later.
     pub late: f64,
     /// The largest number of its matrices, with its sign, which the terms are over.
     pub size: f64,
@@ -56,42 +57,68 @@ impl Stacking {
         self.slowness[0] * (at[0] - self.at[0]) + self.slowness[1] * (at[1] - self.at[1])
     }
 
-    /// The stacks of a place, by delay.
-    pub fn of(&self, place: &Place) -> Vec<Stack> {
-        let mut points: Vec<([i64; 2], f64, Term)> = Vec::with_capacity(place.shares.len());
+    /// The points of a place, by delay and height.
+    fn points(&self, place: &Place) -> Vec<Point> {
+        let mut points: Vec<Point> = Vec::with_capacity(place.shares.len() + place.ends.len());
         let mut point = |at: [f64; 3], force: &dyn Fn(&[f64; 6]) -> [f64; 3]| {
             let (late, height) = (self.late(at), at[2] - self.base);
             let of = self.stress.map(|stress| {
                 let [x, y, z] = force(&stress);
                 [x, y, z, 0.0]
             });
-            points.push((
-                [rounded(late, DELAYS), rounded(height / self.height, HEIGHTS)],
-                late,
-                Term { height, of },
-            ));
+            let key = [rounded(late, DELAYS), rounded(height / self.height, HEIGHTS)];
+            points.push(Point { key, late, height, of });
         };
         place.shares.iter().for_each(|&(at, area)| point(at, &|stress| times(stress, area)));
         place.ends.iter().for_each(|end| point(end.at, &|stress| end.force(stress)));
-        points.sort_by_key(|point| point.0);
-        let mut stacks: Vec<Stack> = Vec::new();
-        for of_one in points.chunk_by(|a, b| a.0[0] == b.0[0]) {
-            let mut stack = Stack { late: of_one[0].1, size: 0.0, terms: Vec::new(), key: Vec::new() };
-            for of_height in of_one.chunk_by(|a, b| a.0 == b.0) {
-                let mut of = [[0.0; 4]; 4];
-                for (_, _, term) in of_height {
-                    of.iter_mut().flatten().zip(term.of.iter().flatten()).for_each(|(sum, x)| *sum += x);
-                }
-                stack.key.push(of_height[0].0[1]);
-                stack.terms.push(Term { height: of_height[0].2.height, of });
-            }
-            stacks.extend(stack.over_its_size());
-        }
-        stacks
+        points.sort_by_key(|point| point.key);
+        points
+    }
+
+    /// All of a place together; nothing where it is pushed with nothing.
+    pub fn whole(&self, place: &Place) -> Option<Stack> {
+        Stack::of(&self.points(place))
+    }
+
+    /// The points of a place that have one delay together, by delay.
+    pub fn of(&self, place: &Place) -> Vec<Stack> {
+        let points = self.points(place);
+        points.chunk_by(|a, b| a.key[0] == b.key[0]).filter_map(Stack::of).collect()
     }
 }
 
+/// A point of a face, with what one of each component of stress pushes a node with there.
+struct Point {
+    /// Its delay and height, rounded.
+    key: [i64; 2],
+    late: f64,
+    height: f64,
+    of: [[f64; 4]; 4],
+}
+
 impl Stack {
+    /// Of points in their order.
+    fn of(points: &[Point]) -> Option<Stack> {
+        let first = points.first()?;
+        let mut stack = Stack { late: first.late, size: 0.0, terms: Vec::new(), key: Vec::new() };
+        let mut behind = 0.0;
+        for of_one in points.chunk_by(|a, b| a.key == b.key) {
+            let Point { key: [_, height], late, .. } = of_one[0];
+            // The same for all nodes of a row, as a difference of rounded delays were not; and one number for all that count as one.
+            let apart = rounded(late - first.late, DELAYS);
+            if stack.key.len() >= 2 && apart != stack.key[stack.key.len() - 2] {
+                behind = (late - first.late).max(0.0);
+            }
+            let mut of = [[0.0; 4]; 4];
+            for point in of_one {
+                of.iter_mut().flatten().zip(point.of.iter().flatten()).for_each(|(sum, x)| *sum += x);
+            }
+            stack.key.extend([apart, height]);
+            stack.terms.push(Term { behind, height: of_one[0].height, of });
+        }
+        stack.over_its_size()
+    }
+
     /// With terms over its size; nothing where it pushes with nothing.
     fn over_its_size(mut self) -> Option<Stack> {
         let numbers = || self.terms.iter().flat_map(|term| term.of.iter().flatten().copied());
@@ -107,12 +134,12 @@ impl Stack {
 
     /// Each of its points by itself.
     pub fn points(&self) -> Vec<Stack> {
-        let heights = self.key.iter().zip(&self.terms);
-        heights
-            .filter_map(|(&height, term)| {
-                let key = vec![height];
-                let alone = Stack { late: self.late, size: 0.0, terms: vec![term.clone()], key };
-                let alone = alone.over_its_size()?;
+        let places = self.key.as_chunks::<2>().0.iter().zip(&self.terms);
+        places
+            .filter_map(|(&[_, height], term)| {
+                let key = vec![0, height];
+                let terms = vec![Term { behind: 0.0, ..term.clone() }];
+                let alone = Stack { late: self.late + term.behind, size: 0.0, terms, key }.over_its_size()?;
                 Some(Stack { size: alone.size * self.size, ..alone })
             })
             .collect()

@@ -125,9 +125,10 @@ impl Record {
         self.problems.iter().find(|problem| problem.name == name)
     }
 
-    /// How many orders of a problem could be set beside those on record, of a run of the same kind, and what is said of each that was lost.
+    /// How many orders of a problem could be set beside those on record, of a run of the same kind or a full one, which has what a plain one has under
+    /// the same names, and what is said of each that was lost.
     pub fn orders(&self, name: &str, full: bool, verified: &Verified) -> (usize, Vec<String>) {
-        let same = self.problem(name).filter(|problem| problem.full == full);
+        let same = self.problem(name).filter(|problem| problem.full || !full);
         let known = same.map_or(&[][..], |problem| &problem.figures);
         let mut lost = Vec::new();
         let mut count = 0;
@@ -190,7 +191,9 @@ mod tests {
         let (count, lost) = record.orders("x", true, &verified(1e-3, 1.7));
         assert!(count == 1 && lost[0].contains("order 1.70, 2.00 on record"), "{lost:?}");
         assert_eq!(record.orders("x", true, &verified(1e-3, f64::NAN)).1.len(), 1);
-        assert_eq!(record.orders("x", false, &verified(1e-3, 0.0)), (0, vec![]));
+        assert_eq!(record.orders("x", false, &verified(1e-3, 1.7)).1.len(), 1);
+        record.take("z", false, &verified(1e-3, 2.0));
+        assert_eq!(record.orders("z", true, &verified(1e-3, 0.0)), (0, vec![]));
         assert_eq!(record.orders("y", true, &verified(1e-3, 0.0)), (0, vec![]));
     }
 }
