@@ -125,8 +125,8 @@ impl Record {
         self.problems.iter().find(|problem| problem.name == name)
     }
 
-    /// How many orders of a problem could be set beside those on record, of a run of the same kind or a full one, which has what a plain one has under
-    /// the same names, and what is said of each that was lost.
+    /// How many orders of a problem could be set beside those on record, of a run of the same kind or a full one, which must have what a plain one has
+    /// under the same names, and what is said of each that was lost.
     pub fn orders(&self, name: &str, full: bool, verified: &Verified) -> (usize, Vec<String>) {
         let same = self.problem(name).filter(|problem| problem.full || !full);
         let known = same.map_or(&[][..], |problem| &problem.figures);
