@@ -170,6 +170,23 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
     let done = study(folder, &["--out", "killed", "--at-once", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     same("killed");
+
+    // Killed between a summary and its page; and while another, who holds the folder, still writes that page.
+    let page = folder.join("killed/runs/s1_east_0.02-m-s/results/report.html");
+    let lost = fs::read(&page).unwrap();
+    fs::remove_file(&page).unwrap();
+    let done = study(folder, &["--out", "killed"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    same("killed");
+    assert!(fs::read(&page).unwrap() == lost);
+    let held = fs::File::options().append(true).open(folder.join("killed/runs/s1_east_0.02-m-s/lock")).unwrap();
+    held.lock().unwrap();
+    let mut waits = command(folder, &["--out", "killed"]).spawn().unwrap();
+    std::thread::sleep(Duration::from_millis(1500));
+    assert!(waits.try_wait().unwrap().is_none(), "it does not wait for who holds a folder");
+    drop(held);
+    assert_eq!(waits.wait().unwrap().code(), Some(0));
+    same("killed");
 }
 
 #[test]

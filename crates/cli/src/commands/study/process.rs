@@ -50,6 +50,11 @@ impl Held {
         Ok(Some(held))
     }
 
+    /// Whether a process works in a folder, be it of a study that was killed.
+    pub fn is_elsewhere(folder: &RunFolder) -> Result<bool, Failure> {
+        Ok(locked(folder)?.is_none())
+    }
+
     /// Whether there is a checkpoint to go on from, or what the earthquake begins with.
     fn goes_on(&self) -> bool {
         ResultFolder::goes_on(&self.folder.results())

@@ -179,7 +179,13 @@ impl<'a> Queue<'a> {
         let mut k = 0;
         while k < inside.waiting.len() {
             let run = inside.waiting[k];
-            if self.outcome(run).has_ended() || self.is_not_needed(run) {
+            let has_ended = self.outcome(run).has_ended();
+            if has_ended && Held::is_elsewhere(&self.folder(run))? {
+                // Its summary stands before its page does.
+                k += 1;
+                continue;
+            }
+            if has_ended || self.is_not_needed(run) {
                 inside.waiting.remove(k);
                 inside.ended += 1;
                 continue;

@@ -7,7 +7,7 @@ use std::path::Path;
 use tremolite_case::study::StudyFile;
 use tremolite_results::replace_file;
 use tremolite_results::study::{RunStatus, Study};
-use tremolite_study::outcome::RunFolder;
+use tremolite_study::outcome::{Outcome, RunFolder};
 use tremolite_study::plan::Plan;
 use tremolite_study::results::{self, Missing, Prepared};
 
@@ -23,13 +23,22 @@ pub fn write(
     Ok((found, missing))
 }
 
-/// The same when no more is run, with the limits of acceptance that each run's case gives: to find whether they are met takes all tables of a run.
+/// The same when no more is run: a run that was killed before it had its page is given one, and each has the limits of acceptance that its case
+/// gives, since to find whether they are met takes all tables of a run.
 pub fn write_with_limits(
     study: &StudyFile,
     plan: &Plan,
     planned: &[Planned],
     out: &Path,
 ) -> Result<(Study, Vec<Missing>), Failure> {
+    for (run, Planned { prepared, .. }) in plan.runs.iter().zip(planned) {
+        let folder = RunFolder::new(out, &run.name);
+        let is_done = || Outcome::of(&folder, &prepared.bare).status == RunStatus::Done;
+        if !out.join(RunFolder::page(&run.name)).exists() && is_done() {
+            // What has no page leads to none.
+            let _ = tremolite_report::write(&folder.results());
+        }
+    }
     let (mut found, missing) = gathered(study, plan, planned, out);
     for run in found.runs.iter_mut().filter(|run| run.status == RunStatus::Done) {
         // Results that cannot be read are the page's to tell.
