@@ -16,6 +16,7 @@ use crate::engine::stable_step;
 use crate::error::ModelError;
 use crate::give::least_stiffness;
 use crate::interface::Seam;
+use crate::level_finding::sure_step;
 use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
 use crate::model::Model;
@@ -283,10 +284,9 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
         return model.seams.iter().map(|seam| fill(seam, 1.0)).collect();
     };
     let TimeStep { given: step, safety, .. } = model.scheme.time_step;
-    let dt = step.unwrap_or_else(|| safety * stable_step(model, assembly, phase).dt);
-    // The least of their limits, since they may meet at a node.
-    let most = (limit / dt).powi(2);
-    let choose = |s: usize| {
+    // ω_c² of a step, with the least of the limits, since interfaces may meet at a node.
+    let most = |dt: f64| (limit / dt).powi(2);
+    let choose = |most: f64, s: usize| {
         let fixed = masses.squares(s, |other: usize| given[other].unwrap_or(0.0));
         let own = masses.squares(s, |other: usize| f64::from(u8::from(given[other].is_none())));
         // By what is there in the shaking; where all of it is gone by then, as if that were to shake.
@@ -299,10 +299,6 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
     };
     // An interface has the same law wherever it runs.
     let whose = |s: usize| model.seams[s].of.unwrap_or(s);
-    let mut stiffness = vec![f64::INFINITY; model.seams.len()];
-    for s in 0..model.seams.len() {
-        stiffness[whose(s)] = stiffness[whose(s)].min(choose(s));
-    }
     // A softer joint than this would keep the ground's motion from what lies behind it, so it rather shortens the step, which only what
     // is near pays for; a step that is given stays.
     let least = |s: usize| match step {
@@ -312,6 +308,24 @@ fn chosen(model: &Model, assembly: &Assembly, phase: &Phase, masses: &PairMasses
     let least: Vec<f64> = (0..model.seams.len())
         .map(|s| if whose(s) == s && given[s].is_none() { least(s) } else { 0.0 })
         .collect();
-    let fill = |(s, seam)| fill_from(seam, stiffness[whose(s)], least[whose(s)]);
-    model.seams.iter().enumerate().map(fill).collect()
+    let of_step = |dt: f64| -> Vec<Values> {
+        let mut stiffness = vec![f64::INFINITY; model.seams.len()];
+        for s in 0..model.seams.len() {
+            stiffness[whose(s)] = stiffness[whose(s)].min(choose(most(dt), s));
+        }
+        let fill = |(s, seam)| fill_from(seam, stiffness[whose(s)], least[whose(s)]);
+        model.seams.iter().enumerate().map(fill).collect()
+    };
+    if let Some(step) = step {
+        return of_step(step);
+    }
+    // The shorter the step, the stiffer; where they are as stiff with any longer one as with a step that is surely stable, the stable step, which takes
+    // tens of products to find, says nothing.
+    if let Some(sure) = sure_step(model, assembly, phase) {
+        let stiffest = of_step(safety * sure);
+        if stiffest == of_step(f64::INFINITY) {
+            return stiffest;
+        }
+    }
+    of_step(safety * stable_step(model, assembly, phase).dt)
 }

@@ -12,19 +12,17 @@
 
 use crate::engine::viscous_share;
 use crate::free_field::Leader;
-use crate::hexahedra::hex;
 use crate::levels::Levels;
 use crate::member::Kind;
 use crate::model::Model;
 use crate::pair_masses::{PairMasses, Phases};
 use crate::phase::Phase;
-use crate::problem::MOST_LEVELS;
+use crate::problem::{MOST_LEVELS, Rayleigh};
 use crate::sheet::corners;
 use crate::thin::join_across;
 use crate::ties::Ties;
 use crate::{Assembly, ModelError};
 use rayon::prelude::*;
-use tremolite_laws::shapes::hex8::Hex8;
 
 /// Steps of all levels but the finest over what an element's bound allows.
 const SHARE: f64 = 0.8;
@@ -118,6 +116,23 @@ pub fn finer_levels(model: &Model, assembly: &Assembly, phase: &Phase, members: 
     settle_levels(model, phase, wished)
 }
 
+/// A step \[s\] that a model is stable with, by each of its elements alone (`irons1971`); none where parts of a program's own may ask for a shorter one.
+/// The stable step is no shorter, as a rule a little longer.
+pub fn sure_step(model: &Model, assembly: &Assembly, phase: &Phase) -> Option<f64> {
+    if assembly.members.iter().any(|member| member.kind == Kind::Own) {
+        return None;
+    }
+    let least =
+        of_elements(model, assembly, phase).into_iter().map(|(_, dt)| dt).fold(f64::INFINITY, f64::min);
+    let undamped = least / SHARE * SURE;
+    // ω + ξ λmax, as the stable step has it.
+    let Rayleigh { mass, stiffness } = model.scheme.rayleigh;
+    Some(undamped.min(2.0 / (mass + stiffness * (2.0 / undamped).powi(2))))
+}
+
+/// Share of an element's longest step that is surely one: its frequency is found from below, within about a per cent.
+const SURE: f64 = 0.95;
+
 /// The longest step \[s\] of each element that is there in the shaking.
 fn of_elements(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<(u32, f64)> {
     let mut stiffness = vec![0.0_f64; model.mesh_node.len()];
@@ -137,9 +152,7 @@ fn of_elements(model: &Model, assembly: &Assembly, phase: &Phase) -> Vec<(u32, f
     let damping = 2.0 / model.scheme.rayleigh.mass;
     let of_body = |body: &crate::Body| -> Vec<(u32, f64)> {
         let alive: Vec<u32> = model.lasting(body);
-        let (alive, shapes): (Vec<u32>, Vec<Hex8>) =
-            alive.into_iter().filter_map(|e| Some((e, hex(&model.mesh, e as usize).ok()?))).unzip();
-        let omegas = model.water.frequencies(body, &alive, &shapes);
+        let omegas = model.frequencies(body, &alive);
         let one = |(e, omega): (u32, f64)| {
             let nodes = model.mesh.elements[e as usize].nodes();
             let springs = nodes.iter().map(|&n| square(n)).fold(0.0, f64::max);

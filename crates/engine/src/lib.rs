@@ -64,7 +64,7 @@ pub use error::ModelError;
 pub use exchange::{Alone, Exchange, Loopback};
 pub use free_field::Incident;
 pub use interface::{Interface, Seam};
-pub use level_finding::{find_levels, finer_levels, settle_levels};
+pub use level_finding::{find_levels, finer_levels, settle_levels, sure_step};
 pub use levels::Levels;
 pub use life::{Life, Stage};
 pub use member::{Kind, Member};

@@ -14,6 +14,7 @@ use crate::body::Body;
 use crate::bolts::BoltSet;
 use crate::boundary::{Boundaries, Surroundings};
 use crate::error::ModelError;
+use crate::hexahedra::hex;
 use crate::interface::Seam;
 use crate::levels::Levels;
 use crate::life::Stage;
@@ -173,7 +174,8 @@ impl Model {
         let bolts = draft.cut(problem.bolts);
         let (outside, slab_bodies) = draft.add_outside(&boundaries, faces.bounds, sides_of, grounds)?;
         draft.finish(user.elements, &boundaries)?;
-        let Draft { mesh, bodies, elements, tractions, seams, parted, origin } = draft;
+        let Draft { mesh, bodies, mut elements, tractions, seams, parted, origin } = draft;
+        elements.frequencies = elements::frequencies(&mesh, &bodies);
         water.spread(&mesh, user.nodes, &elements.parents, &origin, outside.sheets());
         let domains = [user.bodies, slab_bodies];
         let whole = (&mesh, &bodies[..], &elements);
@@ -260,6 +262,12 @@ impl Model {
         let stand_ins = self.elements.stand_ins.iter().filter(|(_, of)| *of as usize == element);
         let mut all = std::iter::once(own()).chain(stand_ins.map(|(stand_in, of)| (*stand_in as usize, *of)));
         all.find(|(e, _)| self.stands(*e, stage)).map(|(e, _)| e)
+    }
+
+    /// The highest frequency of each of some elements of a body alone in the shaking \[rad/s\], water included.
+    pub fn frequencies(&self, body: &Body, elements: &[u32]) -> Vec<f64> {
+        let dry = elements.iter().map(|&e| self.elements.frequencies[e as usize]).collect();
+        self.water.frequencies(body, elements, dry, |i| hex(&self.mesh, elements[i] as usize).ok())
     }
 
     /// Where the law of a body's element is evaluated.

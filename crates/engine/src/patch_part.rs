@@ -5,7 +5,7 @@ use crate::extent::size_tensor;
 use crate::hexahedra::{hex, hex_nodes};
 use crate::life::Stage;
 use crate::member::{Kind, Member};
-use crate::model::{Model, Patch};
+use crate::model::{Elements, Model, Patch};
 use crate::node_table::Domain;
 use crate::parts::passed_on::PassedOn;
 use crate::sheet;
@@ -59,7 +59,7 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
             sides.insert((source, [place(pair.front), place(pair.back)]));
         }
         let (corner, hex) = match order(model, patch, e, &hex) {
-            None => (corner, hex),
+            None | Some([0, 1, 2, 3, 4, 5, 6, 7]) => (corner, hex),
             Some(order) => {
                 let hex = Hex8::new(order.map(|k| hex.corners[k])).map_err(unusable)?;
                 (order.map(|k| corner[k]), hex)
@@ -70,10 +70,10 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
     }
     // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
     let own = |&e: &u32| hex(&model.mesh, model.elements.parents[e as usize] as usize);
-    let parents: Vec<Hex8> = patch.elements.iter().filter_map(|e| own(e).ok()).collect();
-    let viscosity = viscosity(model, patch, &parents);
+    let parents = || -> Vec<Hex8> { patch.elements.iter().filter_map(|e| own(e).ok()).collect() };
+    let viscosity = viscosity(model, patch, parents);
     let outside = patch.elements.iter().any(|&e| e as usize >= model.user.elements);
-    let sizes: Vec<[f64; 6]> = if outside { parents.iter().map(size_tensor).collect() } else { Vec::new() };
+    let sizes: Vec<[f64; 6]> = if outside { parents().iter().map(size_tensor).collect() } else { Vec::new() };
     let part = body.material.patch(
         body.quadrature,
         nodes,
@@ -118,17 +118,22 @@ fn pores(model: &Model, patch: &Patch) -> Vec<PoresOf> {
 
 /// 2b/ω_e of each element \[s\]: stress 2b/ω_e C:ε̇ damps the element's highest mode by the share b; empty without. What damps is the
 /// rock's C alone: where water makes the highest mode faster, ω_u for ω_e, it takes 2b ω_u/ω_e².
-fn viscosity(model: &Model, patch: &Patch, geometry: &[Hex8]) -> Vec<f64> {
+fn viscosity(model: &Model, patch: &Patch, geometry: impl Fn() -> Vec<Hex8>) -> Vec<f64> {
     if !patch.viscous {
         return Vec::new();
     }
     let body = &model.bodies[patch.body];
-    let omegas = element_frequencies(geometry, body.material.stiffest(), body.density, body.quadrature);
+    let Elements { parents, frequencies, .. } = &model.elements;
+    let omegas: Vec<f64> = match patch.elements.iter().all(|&e| parents[e as usize] == e) {
+        true => patch.elements.iter().map(|&e| frequencies[e as usize]).collect(),
+        false => element_frequencies(&geometry(), body.material.stiffest(), body.density, body.quadrature),
+    };
     let share = |e: u32| model.elements.viscosity[e as usize];
     if !patch.elements.iter().any(|&e| model.water.undrained(e as usize).is_some()) {
         return patch.elements.iter().zip(omegas).map(|(&e, omega)| 2.0 * share(e) / omega).collect();
     }
-    let wet = model.water.frequencies(body, &patch.elements, geometry);
+    let geometry = geometry();
+    let wet = model.water.frequencies(body, &patch.elements, omegas.clone(), |i| Some(geometry[i].clone()));
     let each = patch.elements.iter().zip(omegas.iter().zip(wet));
     each.map(|(&e, (dry, wet))| 2.0 * share(e) / dry * (wet / dry)).collect()
 }

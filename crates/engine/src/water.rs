@@ -73,19 +73,27 @@ impl Water {
         Moduli { lambda: moduli.lambda + more, ..moduli }
     }
 
-    /// The highest frequency of each of some elements of a body alone in the shaking \[rad/s\], water included.
-    pub fn frequencies(&self, body: &Body, elements: &[u32], shapes: &[Hex8]) -> Vec<f64> {
+    /// The highest frequency of each of some elements of a body alone in the shaking \[rad/s\], water included, from those without, `all`.
+    /// `shape` is that of an element by its place among these.
+    pub(crate) fn frequencies(
+        &self,
+        body: &Body,
+        elements: &[u32],
+        mut all: Vec<f64>,
+        shape: impl Fn(usize) -> Option<Hex8>,
+    ) -> Vec<f64> {
         let (moduli, density, quadrature) = (body.material.stiffest(), body.density, body.quadrature);
-        let mut all = element_frequencies(shapes, moduli, density, quadrature);
         let stiffened = |i: usize| self.stiffened(elements[i] as usize, moduli);
         let mut wet: Vec<usize> =
-            (0..shapes.len()).filter(|&i| self.undrained(elements[i] as usize).is_some()).collect();
+            (0..elements.len()).filter(|&i| self.undrained(elements[i] as usize).is_some()).collect();
         // Those that are equally stiff side by side: mostly all of them.
         while let Some(&first) = wet.first() {
             let moduli = stiffened(first);
             let (own, rest): (Vec<usize>, Vec<usize>) =
                 wet.into_iter().partition(|&i| stiffened(i) == moduli);
-            let alike: Vec<Hex8> = own.iter().map(|&i| shapes[i].clone()).collect();
+            // `Model::new` has checked every element.
+            let (own, alike): (Vec<usize>, Vec<Hex8>) =
+                own.into_iter().filter_map(|i| Some((i, shape(i)?))).unzip();
             let omegas = element_frequencies(&alike, moduli, density, quadrature);
             own.into_iter().zip(omegas).for_each(|(i, omega)| all[i] = omega);
             wet = rest;

@@ -8,6 +8,7 @@ mod tests;
 use crate::topology::{all_faces, face_key};
 use crate::{Face, Mesh};
 use lattice::Lattice;
+use rayon::prelude::*;
 use surface::Surface;
 
 /// Pressure \[Pa\] at each point of what lies above it: ∫ γ dz from the point up, with γ the unit weights \[N/m³\], one an
@@ -37,14 +38,14 @@ pub fn weight_above(mesh: &Mesh, unit_weight: &[f64], points: &[[f64; 3]]) -> Ve
         surface.add(face, weight);
     }
     let grid = surface.sorted();
-    points.iter().map(|&x| grid.weight_above(x)).collect()
+    points.par_iter().map(|&x| grid.weight_above(x)).collect()
 }
 
 /// Faces of elements that weigh something, but for those with as much on their other side.
 fn changes(mesh: &Mesh, unit_weight: &[f64]) -> Vec<(Face, f64)> {
     let mut keyed: Vec<([u32; 4], Face)> =
         all_faces(mesh, None).map(|face| (face_key(mesh, face), face)).collect();
-    keyed.sort_unstable();
+    keyed.par_sort_unstable();
     let weight = |face: &Face| unit_weight[face.element as usize];
     let same = |faces: &&[([u32; 4], Face)]| faces.len() == 2 && weight(&faces[0].1) == weight(&faces[1].1);
     let chunks = keyed.chunk_by(|a, b| a.0 == b.0).filter(|faces| !same(faces));

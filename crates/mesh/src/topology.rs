@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 pub use opposite::{Unmatched, match_faces};
 
 use crate::{Face, Mesh};
+use rayon::slice::ParallelSliceMut;
 
 /// The nodes of a face in ascending order; a triangle's fourth is `u32::MAX`. Equal for the two faces
 /// where elements meet.
@@ -43,7 +44,7 @@ pub fn exterior_faces(mesh: &Mesh, elements: Option<&[u32]>) -> Vec<Face> {
 /// Those of some faces that no other of them has the nodes of, ascending.
 pub fn unshared(mesh: &Mesh, faces: impl Iterator<Item = Face>) -> Vec<Face> {
     let mut keyed: Vec<([u32; 4], Face)> = faces.map(|face| (face_key(mesh, face), face)).collect();
-    keyed.sort_unstable();
+    keyed.par_sort_unstable();
     let mut faces: Vec<Face> =
         keyed.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1).map(|same| same[0].1).collect();
     faces.sort_unstable();
@@ -55,7 +56,7 @@ pub fn unshared(mesh: &Mesh, faces: impl Iterator<Item = Face>) -> Vec<Face> {
 pub fn crowded_faces(mesh: &Mesh) -> Vec<Face> {
     let mut keyed: Vec<([u32; 4], Face)> =
         all_faces(mesh, None).map(|face| (face_key(mesh, face), face)).collect();
-    keyed.sort_unstable();
+    keyed.par_sort_unstable();
     keyed.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() > 2).map(|same| same[0].1).collect()
 }
 

@@ -65,6 +65,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         successors: _,
         parents: _,
         thickness: _,
+        frequencies: _,
     } = elements;
     let Boundaries {
         base,

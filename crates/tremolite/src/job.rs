@@ -162,7 +162,7 @@ impl Job {
         let groups = setup.problem.mesh.groups.iter();
         let groups = groups.map(|(name, elements)| (name.clone(), elements.len())).collect();
         let built = Built::of(&case, setup.problem, &setup.plan, setup.motion.as_ref());
-        let Built { model, assembly, phase, stable, survey, outlook } = match built {
+        let Built { model, assembly, phase, stable, survey, outlook, near } = match built {
             Ok(built) => built,
             Err(why) => return Err(Fault { remarks, why }),
         };
@@ -172,7 +172,6 @@ impl Job {
             // With what the field keeps for the heights of the model.
             facts.series = waves.field.bytes();
         }
-        let near = near_sides(&model, warnings::mirrored(&case));
         let (dt, steps) = choose_step(&model, &plan, &stable);
         let of_model = vec![
             outlook.iter().flat_map(|outlook| warnings::of_pieces(&case, outlook)).collect(),
@@ -274,6 +273,7 @@ struct Built {
     stable: StableStep,
     survey: Survey,
     outlook: Option<Outlook>,
+    near: Vec<NearSide>,
 }
 
 impl Built {
@@ -292,14 +292,15 @@ impl Built {
         let simulation::Built { model, assembly, phase, stable } = built.levelled(plan).map_err(refused)?;
         // Without an earthquake every wave is long.
         let highest = motion.map_or(0.0, |motion| motion.highest_frequency);
-        let mut survey = survey(&model, &assembly, highest).map_err(Why::Model)?;
-        survey.bytes += plan.waves.as_ref().map_or(0, |waves| waves.field.bytes());
-        let outlook = match plan.stages.is_empty() {
-            true => None,
-            false => Some(
-                outlook(&model, &assembly, plan, matches!(case.mesh, Mesh::Caverns(_))).map_err(refused)?,
-            ),
+        let foreseen = || match plan.stages.is_empty() {
+            true => Ok(None),
+            false => outlook(&model, &assembly, plan, matches!(case.mesh, Mesh::Caverns(_))).map(Some),
         };
-        Ok(Built { model, assembly, phase, stable, survey, outlook })
+        let looked = || (survey(&model, &assembly, highest), near_sides(&model, warnings::mirrored(case)));
+        let (outlook, (survey, near)) = rayon::join(foreseen, looked);
+        let mut survey = survey.map_err(Why::Model)?;
+        survey.bytes += plan.waves.as_ref().map_or(0, |waves| waves.field.bytes());
+        let outlook = outlook.map_err(refused)?;
+        Ok(Built { model, assembly, phase, stable, survey, outlook, near })
     }
 }

@@ -92,7 +92,9 @@ pub fn outlook(
     let walls = Walls::of(model);
     let mut stages = Vec::new();
     let mut known = BTreeSet::new();
-    let mut before = BTreeSet::new();
+    let mut before: Vec<u32> = Vec::new();
+    // Both ascend.
+    let beyond = |some: &[u32], of: &[u32]| some.iter().filter(|e| of.binary_search(e).is_err()).count();
     let mut rest = None;
     for (k, planned) in plan.stages.iter().enumerate() {
         let stage = Stage::Before(k as u16);
@@ -101,7 +103,6 @@ pub fn outlook(
             rest = at_rest(model, assembly, &phase, along_y);
         }
         let standing = model.standing(stage);
-        let now: BTreeSet<u32> = standing.iter().copied().collect();
         let mut new = pieces(model, &phase, &standing);
         // What hangs since an earlier stage has been told there.
         new.retain(|piece| !piece.elements.iter().all(|e| known.contains(e)));
@@ -112,13 +113,13 @@ pub fn outlook(
             installed: named(model, &planned.installed),
             release: planned.release.share,
             changed: planned.changed.iter().map(ToString::to_string).collect(),
-            standing: now.len(),
-            gone: before.difference(&now).count(),
-            begun: if k == 0 { 0 } else { now.difference(&before).count() },
+            standing: standing.len(),
+            gone: beyond(&before, &standing),
+            begun: if k == 0 { 0 } else { beyond(&standing, &before) },
             bare: walls.bare(model, &standing),
             pieces: new,
         });
-        before = now;
+        before = standing;
     }
     let of_stage = |stage: usize| {
         let release = &plan.stages[stage].release;

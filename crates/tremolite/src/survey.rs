@@ -7,11 +7,11 @@ use tremolite_engine::ModelError;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_engine::model::Model;
-use tremolite_engine::{Body, Life, Limit, StableStep};
+use tremolite_engine::{Life, Limit, StableStep};
 use tremolite_kernels::Quadrature;
 use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::{
-    BrickField, BrickGeometry, FullGeometry, Hex8, LayeredGeometry, OnePointGeometry, element_frequencies,
+    BrickField, BrickGeometry, FullGeometry, LayeredGeometry, OnePointGeometry,
 };
 use tremolite_results::{Said, said};
 
@@ -65,11 +65,9 @@ impl Survey {
 }
 
 /// The step \[s\] of a body's stiffest element alone if its pressures stayed; none where they do.
-fn drained_step(model: &Model, body: &Body, lasting: &[u32]) -> Option<f64> {
+fn drained_step(model: &Model, lasting: &[u32]) -> Option<f64> {
     lasting.iter().find(|&&e| model.water.undrained(e as usize).is_some())?;
-    let hexes: Vec<Hex8> = lasting.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
-    let frequencies = element_frequencies(&hexes, body.material.stiffest(), body.density, body.quadrature);
-    Some(2.0 / frequencies.into_iter().fold(0.0, f64::max))
+    Some(2.0 / lasting.iter().map(|&e| model.elements.frequencies[e as usize]).fold(0.0, f64::max))
 }
 
 /// Surveys a model for waves up to `frequency` \[Hz\].
@@ -87,10 +85,10 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
         let worst = lasting
             .par_chunks(64)
             .map(|chunk| {
-                let hexes: Vec<_> = chunk.iter().filter_map(|&e| hex(&model.mesh, e as usize).ok()).collect();
-                let omegas = model.water.frequencies(body, chunk, &hexes);
+                let omegas = model.frequencies(body, chunk);
                 let mut worst = ((0.0_f64, 0), (f64::INFINITY, 0));
-                for ((&e, hex), omega) in chunk.iter().zip(&hexes).zip(omegas) {
+                for (&e, omega) in chunk.iter().zip(omegas) {
+                    let Ok(hex) = hex(&model.mesh, e as usize) else { continue };
                     let longest = 2.0 * hex.half_lengths.iter().copied().fold(0.0, f64::max);
                     if omega > worst.0.0 {
                         worst.0 = (omega, e);
@@ -114,7 +112,7 @@ pub fn survey(model: &Model, assembly: &Assembly, frequency: f64) -> Result<Surv
             density: body.density,
             wave_speeds: speeds,
             element_step: 2.0 / omega,
-            drained_step: drained_step(model, body, &lasting),
+            drained_step: drained_step(model, &lasting),
             stiffest,
             per_wavelength,
             coarsest,

@@ -71,14 +71,14 @@ pub fn run(args: &Args) -> Outcome {
         tell(&[remark]);
         return Ok(stopped(args.strict));
     }
-    let loaded = load(&args.case, &given)?;
+    let pool = pool(args.threads)?;
+    let loaded = pool.install(|| load(&args.case, &given))?;
     if !all_asked && loaded.is_oversized() {
         return Ok(stopped(args.strict));
     }
     if let Some(lacking) = free.lacks_for_mesh(loaded.setup.problem.mesh.elements.len()) {
         return Err(Failure::input(lacking));
     }
-    let pool = pool(args.threads)?;
     pool.install(|| {
         let job = modelled(loaded)?;
         if let Some(folder) = &args.bolts {

@@ -179,7 +179,8 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     same("killed");
     assert!(fs::read(&page).unwrap() == lost);
-    let held = fs::File::options().append(true).open(folder.join("killed/runs/s1_east_0.02-m-s/lock")).unwrap();
+    let held =
+        fs::File::options().append(true).open(folder.join("killed/runs/s1_east_0.02-m-s/lock")).unwrap();
     held.lock().unwrap();
     let mut waits = command(folder, &["--out", "killed"]).spawn().unwrap();
     std::thread::sleep(Duration::from_millis(1500));

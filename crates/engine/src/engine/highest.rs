@@ -54,11 +54,11 @@ pub fn highest(
     multiply(&mut mode);
     let [wkw, wmw] = quotient(model, phase, &mode);
     let mut found = Highest { lambda: wkw / wmw, change: f64::INFINITY, iterations: 1 };
+    let lambda = found.lambda;
+    residual.of.par_iter_mut().zip(&mode.of).zip(&mode.times).zip(&phase.inverse_mass).for_each(
+        |(((r, w), kw), inverse)| (0..3).for_each(|i| r.0[i] = kw.0[i] * inverse.0[i] - lambda * w.0[i]),
+    );
     while found.iterations < ITERATIONS && found.change > CONVERGED {
-        let lambda = found.lambda;
-        residual.of.par_iter_mut().zip(&mode.of).zip(&mode.times).zip(&phase.inverse_mass).for_each(
-            |(((r, w), kw), inverse)| (0..3).for_each(|i| r.0[i] = kw.0[i] * inverse.0[i] - lambda * w.0[i]),
-        );
         follow(phase, &mut residual.of);
         multiply(&mut residual);
         let Some((best, shares)) = ritz(grams(model, phase, [&mode, &residual, &step])) else {
@@ -67,14 +67,16 @@ pub fn highest(
             break;
         };
         let [a, b, c] = shares;
-        let of = mode.of.par_iter_mut().zip(&mut step.of).zip(&residual.of);
+        let of = mode.of.par_iter_mut().zip(&mut step.of).zip(&mut residual.of);
         let times = mode.times.par_iter_mut().zip(&mut step.times).zip(&residual.times);
-        of.zip(times).for_each(|(((w, p), r), ((kw, kp), kr))| {
+        of.zip(times).zip(&phase.inverse_mass).for_each(|((((w, p), r), ((kw, kp), kr)), inverse)| {
             for i in 0..3 {
                 p.0[i] = b * r.0[i] + c * p.0[i];
                 w.0[i] = a * w.0[i] + p.0[i];
                 kp.0[i] = b * kr.0[i] + c * kp.0[i];
                 kw.0[i] = a * kw.0[i] + kp.0[i];
+                // The residual of the next iteration.
+                r.0[i] = kw.0[i] * inverse.0[i] - best * w.0[i];
             }
         });
         found.change = ((best - found.lambda) / best).abs();

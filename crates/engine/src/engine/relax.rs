@@ -36,7 +36,7 @@ use crate::state::{Relaxing, State};
 use crate::sums::tree;
 use rayon::prelude::*;
 use tremolite_laws::Row;
-use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
+use tremolite_laws::shapes::hex8::Hex8;
 
 /// How a state is brought to rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -218,15 +218,13 @@ fn patch_masses(model: &Model, assembly: &Assembly, member: u32) -> Vec<(u32, f6
     let body = &model.bodies[patch.body];
     // `Assembly::new` has checked every element.
     let own = patch.elements.iter().filter_map(|&e| Some((e, hex(&model.mesh, e as usize).ok()?)));
-    let (elements, shapes): (Vec<u32>, Vec<_>) = own.unzip();
-    let omegas = element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
-    let of_element = |((&element, hex), omega): ((&u32, &Hex8), f64)| {
-        let density = body.density * (omega / COURANT).powi(2);
+    let of_element = |(element, hex): (u32, Hex8)| {
+        let density = body.density * (model.elements.frequencies[element as usize] / COURANT).powi(2);
         let nodes = crate::hexahedra::hex_nodes(&model.mesh, element as usize);
         let engine_nodes = nodes.map(|node| model.engine_node[node as usize]);
         std::iter::zip(engine_nodes, hex.corner_volumes.map(|volume| density * volume))
     };
-    elements.iter().zip(&shapes).zip(omegas).flat_map(of_element).collect()
+    own.flat_map(of_element).collect()
 }
 
 impl Engine {

@@ -14,6 +14,7 @@ use crate::rims::Rims;
 use crate::seams::{self, Seams, Standing, place_lives};
 use crate::thickness;
 use crate::traction::Traction;
+use rayon::prelude::*;
 use tremolite_mesh::Mesh;
 
 /// What a model is made of before it is numbered. Lives, parents and initial stress grow with the mesh.
@@ -126,17 +127,31 @@ fn check_bodies(mesh: &Mesh, bodies: &[Body]) -> Result<Vec<Option<usize>>, Mode
             return Err(ModelError::Density { body: body.name.clone(), density: body.density });
         }
         for &e in &body.elements {
-            let id = mesh.element_id(e as usize);
             if let Some(first) = body_of[e as usize] {
                 let first = bodies[first].name.clone();
-                return Err(ModelError::Twice { element: id, first, second: body.name.clone() });
+                return Err(ModelError::Twice {
+                    element: mesh.element_id(e as usize),
+                    first,
+                    second: body.name.clone(),
+                });
             }
             body_of[e as usize] = Some(b);
-            hex(mesh, e as usize).map_err(|reason| ModelError::BadElement {
-                element: id,
+        }
+        let usable = |&e: &u32| {
+            hex(mesh, e as usize).map(drop).map_err(|reason| ModelError::BadElement {
+                element: mesh.element_id(e as usize),
                 body: body.name.clone(),
                 reason,
-            })?;
+            })
+        };
+        // The first of all, whoever finds it.
+        let refused: Vec<ModelError> = body
+            .elements
+            .par_chunks(1024)
+            .filter_map(|some| some.iter().find_map(|e| usable(e).err()))
+            .collect();
+        if let Some(first) = refused.into_iter().next() {
+            return Err(first);
         }
     }
     if body_of.iter().all(Option::is_none) {

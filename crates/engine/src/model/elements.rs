@@ -1,7 +1,12 @@
 //! What a model knows of each of its elements, beside their nodes.
 
+use crate::body::Body;
+use crate::hexahedra::hex;
 use crate::life::{Life, Stage};
+use rayon::prelude::*;
 use std::collections::HashMap;
+use tremolite_laws::shapes::hex8::element_frequencies;
+use tremolite_mesh::Mesh;
 
 /// Lists by element of the mesh; those of slabs and columns lie behind the user's.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +28,8 @@ pub struct Elements {
     pub viscosity: Vec<f64>,
     /// Of each element, the natural axis through its thickness where its body is layered, else 2.
     pub thickness: Vec<u8>,
+    /// The highest frequency of each element alone \[rad/s\], with its undamaged stiffness and without water; 0 of void ones.
+    pub frequencies: Vec<f64>,
 }
 
 impl Elements {
@@ -35,4 +42,22 @@ impl Elements {
     pub(super) fn stands(&self, element: usize, stage: Stage) -> bool {
         self.body_of.get(element).is_some_and(Option::is_some) && self.lives[element].holds(stage)
     }
+}
+
+/// [`Elements::frequencies`] of a mesh and its bodies.
+pub(super) fn frequencies(mesh: &Mesh, bodies: &[Body]) -> Vec<f64> {
+    const AT_ONCE: usize = 1024;
+    let mut all = vec![0.0; mesh.elements.len()];
+    for body in bodies {
+        let of = |elements: &[u32]| {
+            let usable = elements.iter().filter_map(|&e| Some((e, hex(mesh, e as usize).ok()?)));
+            let (elements, shapes): (Vec<u32>, Vec<_>) = usable.unzip();
+            let omegas =
+                element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);
+            elements.into_iter().zip(omegas).collect::<Vec<(u32, f64)>>()
+        };
+        let found: Vec<_> = body.elements.par_chunks(AT_ONCE).map(of).collect();
+        found.into_iter().flatten().for_each(|(e, omega)| all[e as usize] = omega);
+    }
+    all
 }

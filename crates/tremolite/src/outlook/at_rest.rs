@@ -1,6 +1,7 @@
 //! What the initial stress is to the ground that it is in, before anything moves.
 
 use crate::history::History;
+use rayon::prelude::*;
 use std::sync::Arc;
 use tremolite_engine::engine::Engine;
 use tremolite_engine::hexahedra::{centroid, hex};
@@ -52,23 +53,24 @@ pub fn at_rest(
     let history = History::new(assembly, &seen.history);
     let strengths: Vec<Option<f64>> = model.bodies.iter().map(strength).collect();
     let mut found = AtRest::default();
-    for (e, slot) in first.element_slot.iter().enumerate() {
-        let Some(slot) = slot.filter(|_| e < model.user.elements) else { continue };
-        let Ok(shape) = hex(&model.mesh, e) else { continue };
+    let volume = |e: usize| hex(&model.mesh, e).ok().map(|shape| shape.volume);
+    let volumes: Vec<Option<f64>> = (0..model.user.elements).into_par_iter().map(volume).collect();
+    for ((e, slot), volume) in first.element_slot.iter().enumerate().zip(volumes) {
+        let (Some(slot), Some(volume)) = (slot, volume) else { continue };
         let total = model.elements.initial[e];
         // Rock bears by effective stress.
         let stress = &with_pressure(total, model.water.pressure(e, first.stage));
         let [high, ..] = principal_values(stress);
-        found.volume += shape.volume;
+        found.volume += volume;
         if high > TENSION {
-            found.tension += shape.volume;
+            found.tension += volume;
             if found.largest.is_none_or(|(most, _)| high > most) {
                 found.largest = Some((high, centroid(&model.mesh, e as u32)));
             }
         }
         let yields = history.with_role(&slot, Role::PlasticShear);
         if yields.is_some_and(|column| history.values(&slot, column).any(|shear| shear > 0.0)) {
-            found.beyond += shape.volume;
+            found.beyond += volume;
         }
         let strength = model.elements.body_of[e].and_then(|body| strengths[body]);
         if let (Some(strength), Some(_)) = (strength, model.elements.lives[e].gone) {

@@ -1,5 +1,6 @@
 //! Walls that no lining covers.
 
+use rayon::slice::ParallelSliceMut;
 use tremolite_engine::Model;
 use tremolite_mesh::Face;
 use tremolite_mesh::topology::all_faces;
@@ -16,7 +17,7 @@ impl Walls {
         let elements: Vec<u32> = (0..model.user.elements as u32).collect();
         let mut keyed: Vec<([u32; 4], Face)> =
             all_faces(&model.mesh, Some(&elements)).map(|face| (key(model, face), face)).collect();
-        keyed.sort_unstable();
+        keyed.par_sort_unstable();
         let together = keyed.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() > 1);
         let faces = together.map(|same| same.iter().map(|(_, face)| *face).collect()).collect();
         let mut place = elements;

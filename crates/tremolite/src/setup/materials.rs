@@ -4,6 +4,7 @@ use super::undrained;
 use crate::phrases::clauses;
 use crate::units::unit;
 use indexmap::IndexMap;
+use rayon::prelude::*;
 use tremolite_case::{Case, Fill, Material};
 use tremolite_engine::Body;
 use tremolite_engine::extent::extents;
@@ -35,7 +36,7 @@ pub fn facts(
     for &(body, material) in &told {
         let facts = all.entry(material.name.value.clone()).or_insert_with(|| {
             let made_of_it = told.iter().filter(|(_, m)| m.name.value == material.name.value);
-            let elements = made_of_it.flat_map(|(body, _)| &body.elements);
+            let elements: Vec<u32> = made_of_it.flat_map(|(body, _)| &body.elements).copied().collect();
             let law = laws.iter().find(|l| l.info.name == material.law.value);
             let parameters = law.map_or(&[][..], |l| l.info.parameters);
             let (wave_speed_p, wave_speed_s) = body.material.moduli().wave_speeds(body.density);
@@ -49,7 +50,7 @@ pub fn facts(
                 damping_said: damping.clone(),
                 groups: Vec::new(),
                 values: [
-                    values(case, material, parameters, &*body.material, range(mesh, elements)),
+                    values(case, material, parameters, &*body.material, range(mesh, &elements)),
                     undrained::values(case, material, body),
                 ]
                 .concat(),
@@ -69,9 +70,9 @@ pub fn facts(
 }
 
 /// Shortest and longest extent of some elements \[m\].
-fn range<'e>(mesh: &Mesh, elements: impl Iterator<Item = &'e u32>) -> [f64; 2] {
-    let found = elements.filter_map(|&e| hex(mesh, e as usize).ok()).map(|hex| extents(&hex));
-    found.fold([f64::INFINITY, 0.0], |[least, most], [a, b]| [least.min(a), most.max(b)])
+fn range(mesh: &Mesh, elements: &[u32]) -> [f64; 2] {
+    let found = elements.par_iter().filter_map(|&e| hex(mesh, e as usize).ok()).map(|hex| extents(&hex));
+    found.reduce(|| [f64::INFINITY, 0.0], |[least, most], [a, b]| [least.min(a), most.max(b)])
 }
 
 fn values(

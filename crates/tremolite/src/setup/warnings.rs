@@ -111,6 +111,7 @@ pub fn of_tetrahedra(
     let is_one = |e: &&u32| mesh.elements[**e as usize].shape == tremolite_mesh::Shape::Tet4;
     regions
         .zip(bodies)
+        .filter(|(_, body)| body.elements.iter().any(|e| is_one(&e)))
         .filter_map(|(region, body)| {
             let wet = |e: &&u32| water.undrained(**e as usize).is_some();
             let all: f64 = body.elements.iter().map(volume).sum();

@@ -1,6 +1,7 @@
 //! A part and an observer from outside: what ARCHITECTURE.md, 'How to add a part', says.
 
 use crate::block::block;
+use crate::contact::between;
 use crate::ready::Ready;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -304,4 +305,30 @@ fn the_step_goes_by_the_dashpots_of_an_own_part() {
         let after = engine.look(&state).snapshot.balance[Line::Kinetic];
         assert_eq!(after.is_nan() || after >= before, grows, "{share}: {before:e} to {after:e} J");
     }
+}
+
+/// Parts of a program's own may ask for a shorter step than elements do, so that the stable step is found wherever a stiffness is left out. Without
+/// them it is left unfound where the choice is the same with any; and then it is the same.
+#[test]
+fn a_stiffness_that_is_left_out_is_the_same_beside_a_part_that_does_nothing() {
+    let frequencies = [[4, 3, 5], [60, 3, 5]].map(|size| {
+        [("coulomb", &[("friction", 0.6)][..]), ("bandis", &[("max_closure", 2e-3), ("friction", 0.7)])].map(
+            |(law, own)| {
+                let [plain, beside] = [block(size), on_springs(0.0)].map(|parts| {
+                    let mut problem = block(size);
+                    problem.base = Base::Viscous;
+                    problem.interfaces = vec![between(&problem, [1, 0], law, own)];
+                    problem.parts = parts.parts;
+                    let contacts = &Ready::new(problem).assembly.contacts[0];
+                    (contacts.frequency, contacts.law.stiffest())
+                });
+                assert_eq!(plain, beside, "{law} {size:?}");
+                plain.0
+            },
+        )
+    });
+    // In the coarse block the least that a joint must have governs, which closure stiffens by Bandis' law; in the fine one the step, which bounds the
+    // stiffest state of either law.
+    let [[coulomb, bandis], [fine_coulomb, fine_bandis]] = frequencies;
+    assert!(bandis > 1.5 * coulomb && (fine_bandis / fine_coulomb - 1.0).abs() < 1e-9, "{frequencies:?}");
 }

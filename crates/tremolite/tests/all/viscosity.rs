@@ -1,10 +1,11 @@
 //! Artificial viscosity: it damps an element's highest mode by its share, bounds the step as it says, and books what it takes.
 
 use crate::block::block;
+use crate::contact::jointed;
 use crate::ready::Ready;
 use tremolite::engine::viscous_share;
 use tremolite::parts::{Kept, Scratch};
-use tremolite::{Body, Problem, Quadrature, elastic, laws};
+use tremolite::{Base, Body, Problem, Quadrature, Side, elastic, laws, stable_step, sure_step};
 use tremolite_kernels::Line;
 use tremolite_laws::{Moduli, Octet, Row, Value, Values};
 use tremolite_mesh::boxes::{BoxSpec, Distortion};
@@ -183,6 +184,34 @@ fn uncracked_concrete_beyond_its_static_strength_is_damped_as_if_elastic() {
     for (damped, elastic) in damped.iter().zip(&elastic) {
         for i in 0..3 {
             assert!((damped.0[i] - elastic.0[i]).abs() < 1e-12 * 25e9, "{damped:?} {elastic:?}");
+        }
+    }
+}
+
+/// 2/ω of single elements, with viscosity and springs, bounds the stable step from below; in a box of like elements closely.
+#[test]
+fn the_step_that_single_elements_are_sure_of_is_no_longer_than_the_stable_one() {
+    let sure = |ready: &Ready| {
+        let sure = sure_step(&ready.model, &ready.assembly, &ready.phase).unwrap();
+        sure / stable_step(&ready.model, &ready.assembly, &ready.phase).dt
+    };
+    for quadrature in QUADRATURES {
+        for (elements, viscosity) in [([1, 1, 1], 0.0), ([1, 1, 1], 0.3), ([5, 5, 5], 0.0), ([5, 5, 5], 0.3)]
+        {
+            let share = sure(&shaken(elements, quadrature, viscosity));
+            assert!((0.7..=1.0).contains(&share), "{quadrature:?} {elements:?} {viscosity}: {share}");
+        }
+    }
+    let springs = Base::ViscousSpring { normal: 200.0, tangential: 100.0, distance: Some(1.0) };
+    let on_springs = Problem { base: springs, sides: [Side::Periodic; 2], ..block([4, 4, 5]) };
+    let fixed = Problem { base: Base::Fixed, incident: None, ..jointed(tremolite_laws::Isa::best()) };
+    for problem in [on_springs, fixed] {
+        for stiffness in [0.0, 3e-4] {
+            let mut problem = problem.clone();
+            problem.rayleigh.stiffness = stiffness;
+            let base = problem.base;
+            let share = sure(&Ready::new(problem));
+            assert!((0.2..=1.0).contains(&share), "{base:?} {stiffness}: {share}");
         }
     }
 }

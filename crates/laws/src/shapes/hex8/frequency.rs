@@ -7,6 +7,7 @@ use super::{
 use crate::lane::{Isa, Lane, Octet, Row};
 use crate::material::{Moduli, Point};
 use crate::materials::Elastic;
+use std::sync::LazyLock;
 
 /// Power iterations; the estimate is then within about a per cent of the largest frequency, from below.
 const ITERATIONS: usize = 40;
@@ -86,28 +87,92 @@ unsafe fn forces<L: Lane>(
     }
 }
 
+/// √λmax of up to eight elements by power iteration; every lane has eight rows of its own.
+///
+/// # Safety
+/// The lane's instruction set must be enabled.
+#[inline(always)]
+unsafe fn iterate<L: Lane>(
+    hexes: &[Hex8],
+    moduli: Moduli,
+    density: f64,
+    stabilisation: &Stabilisation,
+    (eight, start): (&Eight, &[Row; 64]),
+) -> Vec<f64> {
+    let mut masses = [1.0; 64];
+    for (masses, hex) in masses.chunks_exact_mut(8).zip(hexes) {
+        for (mass, volume) in masses.iter_mut().zip(&hex.corner_volumes) {
+            *mass = density * volume;
+        }
+    }
+    let mut w = *start;
+    let mut lambda = vec![0.0; hexes.len()];
+    for _ in 0..ITERATIONS {
+        let mut f = [Row::ZERO; 64];
+        // SAFETY: passed on to the caller.
+        unsafe { forces::<L>(moduli, stabilisation, eight, &w, &mut f) };
+        for (lane, lambda) in lambda.iter_mut().enumerate() {
+            let rows = 8 * lane..8 * lane + 8;
+            let (mut wkw, mut wmw) = (0.0, 0.0);
+            for n in rows.clone() {
+                for i in 0..3 {
+                    wkw += w[n].0[i] * f[n].0[i];
+                    wmw += masses[n] * w[n].0[i] * w[n].0[i];
+                }
+            }
+            *lambda = wkw / wmw;
+            let scale = 1.0 / (*lambda * wmw.sqrt());
+            for n in rows {
+                for i in 0..4 {
+                    w[n].0[i] = f[n].0[i] * scale / masses[n];
+                }
+            }
+        }
+    }
+    lambda.into_iter().map(f64::sqrt).collect()
+}
+
 #[cfg(target_arch = "x86_64")]
 mod wide {
-    use super::{Eight, Moduli, Row, Stabilisation, forces};
-    use crate::lane::{Avx2, Enabled};
+    use super::{Eight, Hex8, Moduli, Row, Stabilisation, iterate};
+    use crate::lane::{Avx2, Avx512, Enabled};
 
     #[derive(Clone, Copy)]
     struct Here;
-    // SAFETY: named below alone, in a function that is called where the instruction set is there.
+    // SAFETY: named below alone, in functions that are called where the instruction set is there.
     unsafe impl Enabled for Here {}
 
     #[target_feature(enable = "avx2,fma")]
     pub(super) unsafe fn avx2(
+        hexes: &[Hex8],
         moduli: Moduli,
+        density: f64,
         stabilisation: &Stabilisation,
-        eight: &Eight,
-        w: &[Row; 64],
-        f: &mut [Row; 64],
-    ) {
+        of: (&Eight, &[Row; 64]),
+    ) -> Vec<f64> {
         // SAFETY: this function enables the instruction set.
-        unsafe { forces::<Avx2<Here>>(moduli, stabilisation, eight, w, f) }
+        unsafe { iterate::<Avx2<Here>>(hexes, moduli, density, stabilisation, of) }
+    }
+
+    #[target_feature(enable = "avx512f,avx2,fma")]
+    pub(super) unsafe fn avx512(
+        hexes: &[Hex8],
+        moduli: Moduli,
+        density: f64,
+        stabilisation: &Stabilisation,
+        of: (&Eight, &[Row; 64]),
+    ) -> Vec<f64> {
+        // SAFETY: this function enables the instruction set.
+        unsafe { iterate::<Avx512<Here>>(hexes, moduli, density, stabilisation, of) }
     }
 }
+
+/// What the iteration starts from, the same in every lane.
+static START: LazyLock<[Row; 64]> = LazyLock::new(|| {
+    core::array::from_fn(|n| {
+        Row::new([1.0, 2.0, 3.0].map(|i: f64| (12.9898 * ((n % 8) as f64 + 64.0 * i)).sin()))
+    })
+});
 
 fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) -> Vec<f64> {
     let stabilisation = Stabilisation::new(moduli);
@@ -121,41 +186,42 @@ fn octet(hexes: &[Hex8], moduli: Moduli, density: f64, full_quadrature: bool) ->
             Eight::OnePoint(geometry) => geometry.set(lane, hex),
         }
     }
-    let mut w: [Row; 64] = core::array::from_fn(|n| {
-        Row::new([1.0, 2.0, 3.0].map(|i: f64| (12.9898 * (n as f64 + 64.0 * i)).sin()))
-    });
-    let mut lambda = vec![0.0; hexes.len()];
-    for _ in 0..ITERATIONS {
-        let mut f = [Row::ZERO; 64];
+    // SAFETY: the processor has the instruction set; plain f64 needs none.
+    unsafe {
         #[cfg(target_arch = "x86_64")]
-        let wide = Isa::Avx2.available();
-        #[cfg(not(target_arch = "x86_64"))]
-        let wide = false;
-        // SAFETY: the processor has the instruction set; plain f64 needs none.
-        unsafe {
-            match wide {
-                #[cfg(target_arch = "x86_64")]
-                true => wide::avx2(moduli, &stabilisation, &eight, &w, &mut f),
-                _ => forces::<f64>(moduli, &stabilisation, &eight, &w, &mut f),
-            }
+        match Isa::best() {
+            Isa::Avx512 => return wide::avx512(hexes, moduli, density, &stabilisation, (&eight, &START)),
+            Isa::Avx2 => return wide::avx2(hexes, moduli, density, &stabilisation, (&eight, &START)),
+            Isa::Scalar => {}
         }
-        for (lane, hex) in hexes.iter().enumerate() {
-            let rows = 8 * lane..8 * lane + 8;
-            let (mut wkw, mut wmw) = (0.0, 0.0);
-            for (k, n) in rows.clone().enumerate() {
-                let mass = density * hex.corner_volumes[k];
-                for i in 0..3 {
-                    wkw += w[n].0[i] * f[n].0[i];
-                    wmw += mass * w[n].0[i] * w[n].0[i];
-                }
+        iterate::<f64>(hexes, moduli, density, &stabilisation, (&eight, &START))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shapes::hex8::CORNERS;
+
+    /// An element's frequency is its own, whatever elements are asked beside it.
+    #[test]
+    fn the_frequency_of_an_element_does_not_go_by_its_place_among_others() {
+        let shape = |k: u32| {
+            let noise = |i: u32| 0.2 * (12.9898 * f64::from(24 * k + i)).sin();
+            let mut corners = CORNERS;
+            for (i, x) in (0..).zip(corners.iter_mut().flatten()) {
+                *x += noise(i);
             }
-            lambda[lane] = wkw / wmw;
-            let scale = 1.0 / (lambda[lane] * wmw.sqrt());
-            for (k, n) in rows.enumerate() {
-                let mass = density * hex.corner_volumes[k];
-                w[n] = Row(f[n].0.map(|x| x * scale / mass));
-            }
+            Hex8::new(corners).unwrap()
+        };
+        let shapes: Vec<Hex8> = (0..19).map(shape).collect();
+        let moduli = Moduli::from_young_poisson(25e9, 0.2);
+        for quadrature in [Quadrature::OnePoint, Quadrature::Full] {
+            let of = |some: &[Hex8]| element_frequencies(some, moduli, 2500.0, quadrature);
+            let alone: Vec<f64> = shapes.chunks(1).flat_map(of).collect();
+            assert_eq!(of(&shapes), alone, "{quadrature:?}");
+            let speed = moduli.wave_speeds(2500.0).0;
+            assert!(alone.iter().all(|omega| (0.5..4.0).contains(&(omega / speed))), "{alone:?}");
         }
     }
-    lambda.into_iter().map(f64::sqrt).collect()
 }

@@ -38,20 +38,45 @@ impl std::fmt::Display for BadShape {
 }
 
 /// Coordinates of integration point `p` of the 2×2×2 rule; binary order, bit 0 is ξ.
-pub fn gauss_point(p: usize) -> [f64; 3] {
-    let g = 1.0 / 3f64.sqrt();
-    [0, 1, 2].map(|axis| if p >> axis & 1 == 1 { g } else { -g })
+pub const fn gauss_point(p: usize) -> [f64; 3] {
+    // 1/√3.
+    const G: f64 = 0.577_350_269_189_625_8;
+    let mut xi = [-G; 3];
+    let mut axis = 0;
+    while axis < 3 {
+        if p >> axis & 1 == 1 {
+            xi[axis] = G;
+        }
+        axis += 1;
+    }
+    xi
 }
 
 /// The eight shape functions at natural coordinates ξ.
-pub fn shape_values(xi: [f64; 3]) -> [f64; 8] {
-    CORNERS.map(|c| 0.125 * (1.0 + c[0] * xi[0]) * (1.0 + c[1] * xi[1]) * (1.0 + c[2] * xi[2]))
+pub const fn shape_values(xi: [f64; 3]) -> [f64; 8] {
+    let mut all = [0.0; 8];
+    let mut k = 0;
+    while k < 8 {
+        let c = CORNERS[k];
+        all[k] = 0.125 * (1.0 + c[0] * xi[0]) * (1.0 + c[1] * xi[1]) * (1.0 + c[2] * xi[2]);
+        k += 1;
+    }
+    all
 }
 
-/// Sign of mode `mode` at corner `corner` (VTK order).
-fn sign(corner: usize, mode: usize) -> f64 {
-    if (!BINARY[corner] & mode & 7).count_ones().is_multiple_of(2) { 1.0 } else { -1.0 }
-}
+/// Signs of each mode at the corners (VTK order).
+const SIGNS: [[f64; 8]; 8] = {
+    let mut all = [[1.0; 8]; 8];
+    let mut k = 0;
+    while k < 64 {
+        let (mode, corner) = (k / 8, k % 8);
+        if (!BINARY[corner] & mode & 7).count_ones() % 2 == 1 {
+            all[mode][corner] = -1.0;
+        }
+        k += 1;
+    }
+    all
+};
 
 /// Geometry of one element, global axes, lengths in m.
 #[derive(Clone, Debug)]
@@ -81,25 +106,47 @@ fn determinant(m: &Mat3) -> f64 {
         + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])
 }
 
-/// Cofactors: `det(m) m⁻ᵀ`.
-fn cofactors(m: &Mat3) -> Mat3 {
-    let mut c = [[0.0; 3]; 3];
-    for r in 0..3 {
-        for s in 0..3 {
-            let (r1, r2, s1, s2) = ((r + 1) % 3, (r + 2) % 3, (s + 1) % 3, (s + 2) % 3);
-            c[r][s] = m[r1][s1] * m[r2][s2] - m[r1][s2] * m[r2][s1];
-        }
+/// Natural derivatives of the shape functions.
+const fn natural_gradients(xi: [f64; 3]) -> [[f64; 3]; 8] {
+    let mut all = [[0.0; 3]; 8];
+    let mut k = 0;
+    while k < 8 {
+        let c = CORNERS[k];
+        let t = [1.0 + c[0] * xi[0], 1.0 + c[1] * xi[1], 1.0 + c[2] * xi[2]];
+        all[k] = [0.125 * c[0] * t[1] * t[2], 0.125 * c[1] * t[0] * t[2], 0.125 * c[2] * t[0] * t[1]];
+        k += 1;
     }
-    c
+    all
 }
 
-/// Natural derivatives of the shape functions.
-fn natural_gradients(xi: [f64; 3]) -> [[f64; 3]; 8] {
-    CORNERS.map(|c| {
-        let t = [1.0 + c[0] * xi[0], 1.0 + c[1] * xi[1], 1.0 + c[2] * xi[2]];
-        [0.125 * c[0] * t[1] * t[2], 0.125 * c[1] * t[0] * t[2], 0.125 * c[2] * t[0] * t[1]]
-    })
-}
+/// The 2×2×2 points side by side.
+type AtPoints = [f64; 8];
+
+/// Shape functions and their natural derivatives by corner, those along r, at the points of the 2×2×2 rule.
+const SHAPES: ([AtPoints; 8], [[AtPoints; 3]; 8]) = {
+    let mut values = [[0.0; 8]; 8];
+    let mut gradients = [[[0.0; 8]; 3]; 8];
+    let mut p = 0;
+    while p < 8 {
+        let xi = gauss_point(p);
+        let (of_values, of_gradients) = (shape_values(xi), natural_gradients(xi));
+        let mut corner = 0;
+        while corner < 8 {
+            values[corner][p] = of_values[corner];
+            let mut r = 0;
+            while r < 3 {
+                gradients[corner][r][p] = of_gradients[corner][r];
+                r += 1;
+            }
+            corner += 1;
+        }
+        p += 1;
+    }
+    (values, gradients)
+};
+
+/// Natural derivatives at the centre.
+const AT_CENTRE: [[f64; 3]; 8] = natural_gradients([0.0; 3]);
 
 /// J_rs = ∂x_s/∂ξ_r.
 fn jacobian(corners: &[[f64; 3]; 8], gradients: &[[f64; 3]; 8]) -> Mat3 {
@@ -117,6 +164,17 @@ fn jacobian(corners: &[[f64; 3]; 8], gradients: &[[f64; 3]; 8]) -> Mat3 {
 /// det J \[m³\] at natural coordinates of an element with these corners.
 pub(super) fn determinant_at(corners: &[[f64; 3]; 8], xi: [f64; 3]) -> f64 {
     determinant(&jacobian(corners, &natural_gradients(xi)))
+}
+
+/// Share of a mode in values at the corners, times eight.
+fn project(values: &[[f64; 3]; 8], mode: usize) -> [f64; 3] {
+    let mut sum = [-0.0; 3];
+    for (sign, x) in SIGNS[mode].iter().zip(values) {
+        for j in 0..3 {
+            sum[j] += sign * x[j];
+        }
+    }
+    sum
 }
 
 impl Hex8 {
@@ -144,25 +202,49 @@ impl Hex8 {
         if corners.iter().flatten().any(|x| !x.is_finite()) {
             return Err(BadShape::NotFinite);
         }
+        // All points at once, each in the order of its own sums.
+        let (values, gradients) = &SHAPES;
+        let mut j = [[[0.0; 8]; 3]; 3];
+        for (x, d) in corners.iter().zip(gradients) {
+            for r in 0..3 {
+                for s in 0..3 {
+                    for p in 0..8 {
+                        j[r][s][p] += d[r][p] * x[s];
+                    }
+                }
+            }
+        }
+        // det · ∂N/∂x = cofactors(J) · ∂N/∂ξ; the 2×2×2 rule integrates it and N det J exactly.
+        let mut c = [[[0.0; 8]; 3]; 3];
+        for r in 0..3 {
+            for s in 0..3 {
+                let (r1, r2, s1, s2) = ((r + 1) % 3, (r + 2) % 3, (s + 1) % 3, (s + 2) % 3);
+                for p in 0..8 {
+                    c[r][s][p] = j[r1][s1][p] * j[r2][s2][p] - j[r1][s2][p] * j[r2][s1][p];
+                }
+            }
+        }
         let mut weights = [0.0; 8];
+        for p in 0..8 {
+            weights[p] = j[0][0][p] * c[0][0][p] + j[0][1][p] * c[0][1][p] + j[0][2][p] * c[0][2][p];
+        }
+        if let Some(&determinant) = weights.iter().find(|det| det.is_nan() || **det <= 0.0) {
+            return Err(BadShape::Inverted { determinant });
+        }
         let mut corner_volumes = [0.0; 8];
         let mut mean = [[0.0; 3]; 8];
-        for (p, weight) in weights.iter_mut().enumerate() {
-            let xi = gauss_point(p);
-            let gradients = natural_gradients(xi);
-            let j = jacobian(&corners, &gradients);
-            let det = determinant(&j);
-            if det.is_nan() || det <= 0.0 {
-                return Err(BadShape::Inverted { determinant: det });
+        for corner in 0..8 {
+            let (n, d) = (&values[corner], &gradients[corner]);
+            for p in 0..8 {
+                corner_volumes[corner] += weights[p] * n[p];
             }
-            *weight = det;
-            // det · ∂N/∂x = cofactors(J) · ∂N/∂ξ; the 2×2×2 rule integrates it and N det J exactly.
-            let c = cofactors(&j);
-            let n = shape_values(xi);
-            for corner in 0..8 {
-                corner_volumes[corner] += det * n[corner];
-                for s in 0..3 {
-                    mean[corner][s] += (0..3).map(|r| c[r][s] * gradients[corner][r]).sum::<f64>();
+            for s in 0..3 {
+                let mut at = [0.0; 8];
+                for p in 0..8 {
+                    at[p] = c[0][s][p] * d[0][p] + c[1][s][p] * d[1][p] + c[2][s][p] * d[2][p];
+                }
+                for x in at {
+                    mean[corner][s] += x;
                 }
             }
         }
@@ -171,7 +253,7 @@ impl Hex8 {
             *value /= volume;
         }
 
-        let centre = jacobian(&corners, &natural_gradients([0.0; 3]));
+        let centre = jacobian(&corners, &AT_CENTRE);
         let det = determinant(&centre);
         if det.is_nan() || det <= 0.0 {
             return Err(BadShape::Inverted { determinant: det });
@@ -179,14 +261,15 @@ impl Hex8 {
         let half_lengths = centre.map(|g| (g[0] * g[0] + g[1] * g[1] + g[2] * g[2]).sqrt());
         let directions = [0, 1, 2].map(|k| centre[k].map(|x| x / half_lengths[k]));
 
-        let project = |values: &dyn Fn(usize) -> f64, mode: usize| -> f64 {
-            (0..8).map(|corner| sign(corner, mode) * values(corner)).sum()
-        };
         let mut gradient = [[0.0; 3]; 8];
         for mode in LINEAR.into_iter().chain(HOURGLASS) {
-            gradient[mode] = [0, 1, 2].map(|j| 0.125 * project(&|corner| mean[corner][j], mode));
+            let [x, y, z] = project(&mean, mode);
+            gradient[mode] = [0.125 * x, 0.125 * y, 0.125 * z];
         }
-        let hourglass = HOURGLASS.map(|mode| [0, 1, 2].map(|j| project(&|corner| corners[corner][j], mode)));
+        let mut hourglass = [[0.0; 3]; 4];
+        for (hourglass, mode) in hourglass.iter_mut().zip(HOURGLASS) {
+            *hourglass = project(&corners, mode);
+        }
         Ok(Hex8 { corners, volume, weights, corner_volumes, gradient, hourglass, half_lengths, directions })
     }
 }
