@@ -56,6 +56,17 @@ impl Pass {
         self
     }
 
+    /// Blocks of several passes, of which none leads, in one.
+    pub fn together(passes: impl Iterator<Item = Pass>) -> Self {
+        let turns = passes.flat_map(|pass| pass.turns);
+        // Places among leaders go by passes, and would not ascend with blocks.
+        let mut turns: Vec<Turn> = turns.map(|turn| Turn { leaders: 0..0, ..turn }).collect();
+        turns.sort_unstable_by_key(|turn| turn.block);
+        let mut all = Pass::default();
+        turns.into_iter().for_each(|turn| all.push(turn));
+        all
+    }
+
     fn push(&mut self, turn: Turn) {
         let at = self.turns.len();
         let fits = |share: &&mut Range<usize>| {
