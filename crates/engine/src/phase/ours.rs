@@ -136,9 +136,10 @@ impl Phase {
             waits[*node as usize] |=
                 dashpot.follows.iter().any(|follow| matches!(follow.leader, Leader::Node(_)));
         }
+        let given = self.leaders.iter().take_while(|leader| matches!(leader, Leader::Given(_))).count();
         for beat in &mut beats {
             let alone = |turn: &Turn| turn.leaders.is_empty() && !waits[turn.nodes.clone()].contains(&true);
-            let first = Pass::together(beat.passes.iter().map(|pass| pass.of(alone)));
+            let first = Pass::together(beat.passes.iter().map(|pass| pass.of(alone)), given);
             let rest = beat.passes.iter().map(|pass| pass.of(|turn| !alone(turn)));
             beat.passes = std::iter::once(first).chain(rest).collect();
             beat.alone = 1;
