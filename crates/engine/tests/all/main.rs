@@ -1,7 +1,10 @@
 //! Tests of the engine by what it shows: one binary, since each links all of it. Whole runs are tested in `crates/tremolite`.
 
 mod base;
+mod bolts;
+mod borders;
 mod dashpots;
+mod joints;
 mod level_bounds;
 mod outside;
 mod passes;
