@@ -1,7 +1,7 @@
 //! Interfaces as the engine makes them of what is asked for.
 
 use crate::ready::{Ready, body, joint};
-use tremolite_engine::{Base, Line, Model, ModelError, Problem, Side};
+use tremolite_engine::{Base, Model, ModelError, Problem, Side};
 use tremolite_mesh::boxes::BoxSpec;
 
 fn layers() -> Problem {
@@ -50,23 +50,4 @@ fn a_joint_under_initial_stress_has_room_for_half_as_much_again() {
         assert!((seam.pressure / room - 1.0).abs() < 1e-12, "{}", seam.pressure);
         assert!(seam.tractions.iter().all(|[p, a, b]| (p / 40e6 - 1.0).abs() < 1e-12 && a.hypot(*b) < 1.0));
     }
-}
-
-/// Lines of the balance that a model cannot have are no columns of its tables.
-#[test]
-fn a_balance_has_the_lines_that_a_model_can_have() {
-    let lines = |ready: &Ready| ready.assembly.lines().collect::<Vec<_>>();
-    let mut plain = layers();
-    plain.interfaces.clear();
-    let none = [Line::Own, Line::Levels, Line::FreeField, Line::Interface, Line::Bolts];
-    let found = lines(&Ready::new(plain.clone()));
-    assert!(none.iter().all(|line| !found.contains(line)), "{found:?}");
-    let without = found.len();
-    plain.sides = [Side::FreeField; 2];
-    let found = lines(&Ready::new(plain.clone()));
-    assert!(found.contains(&Line::FreeField) && found.len() == without + 1, "{found:?}");
-    let found = lines(&Ready::new(plain).levelled(|[.., z]| u8::from(z > 2.0)));
-    assert!(found.contains(&Line::Levels) && found.len() == without + 2, "{found:?}");
-    let found = lines(&Ready::new(layers()));
-    assert!(found.contains(&Line::Interface) && !found.contains(&Line::Bolts), "{found:?}");
 }

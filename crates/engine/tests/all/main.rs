@@ -1,5 +1,6 @@
 //! Tests of the engine by what it shows: one binary, since each links all of it. Whole runs are tested in `crates/tremolite`.
 
+mod balance;
 mod base;
 mod bolts;
 mod borders;
