@@ -32,23 +32,24 @@ fn alone(viscosity: f64, tied: Tied) -> Ready {
     Ready::new(problem)
 }
 
-/// A bar whose first element is ten thousand times as heavy as the others, finest steps up to its middle, and the cube, which takes twice as
-/// long ones and is in the patch behind the border.
+/// A bar with finest steps over 68 of its 72 elements, one of which, near the border, is ten thousand times as heavy, and the cube, which takes
+/// twice as long ones and is in the patch behind the border. Nodes around the border have numbers beyond those that a thread works on at a time.
 fn beside_a_border(viscosity: f64, tied: Tied) -> Ready {
-    let mut mesh = BoxSpec::uniform([0.0; 3], [6.0, 1.0, 1.0], [6, 1, 1]).mesh().unwrap();
+    let mut mesh = BoxSpec::uniform([0.0; 3], [72.0, 1.0, 1.0], [72, 1, 1]).mesh().unwrap();
     let first = mesh.nodes.len() as u32;
-    let cube = add_cube(&mut mesh, 8.0);
-    let mut heavy = body("heavy", vec![0]);
+    let cube = add_cube(&mut mesh, 74.0);
+    let mut heavy = body("heavy", vec![65]);
     heavy.density = 1e4 * DENSITY;
-    let mut light = body("light", (1..=cube).collect());
+    let mut light = body("light", (0..=cube).filter(|&e| e != 65).collect());
     light.viscosity = viscosity;
     let mut problem = Problem::new(mesh, vec![heavy, light]);
     problem.ties = tied.iter().map(|&(a, b)| (first + a, first + b)).collect();
     problem.patch_elements = Some(8);
-    let ready = Ready::new(problem).levelled(|[x, ..]| u8::from(x > 2.5));
+    let ready = Ready::new(problem).levelled(|[x, ..]| u8::from(x > 67.5));
     assert_eq!(ready.phase.beats.len(), 2);
     let own = ready.model.patches.iter().find(|patch| patch.elements.contains(&cube)).unwrap();
     assert!(own.elements.len() > 1 && own.level == 1, "with those behind the border");
+    assert!(ready.phase.borders.iter().all(|border| border.node >= 256), "{:?}", ready.phase.borders);
     ready
 }
 
