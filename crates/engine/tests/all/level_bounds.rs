@@ -3,6 +3,7 @@
 use crate::ready::{DENSITY, Ready, body, joint, moduli, whole};
 use tremolite_engine::{Base, Body, Problem, Quadrature, Side, find_levels, finer_levels};
 use tremolite_mesh::boxes::BoxSpec;
+use tremolite_mesh::{Element, Mesh, Shape};
 
 /// The longest step \[s\] that the bounds allow a node of the mesh.
 fn allowed(ready: &Ready, node: u32) -> f64 {
@@ -111,4 +112,21 @@ fn levels_become_finer_at_members_by_a_layer_where_there_is_a_border_and_else_by
         }
     }
     assert!(cases[0] > 1 && cases[1] == 1, "{cases:?}");
+}
+
+/// Through a plate of two layers of wedges, which are thick from triangle to triangle, nodes have one level; along it they need not.
+#[test]
+fn nodes_step_together_through_a_thin_plate_of_wedges() {
+    let bricks = BoxSpec::uniform([0.0; 3], [6.0, 6.0, 2.0], [6, 6, 2]).mesh().unwrap();
+    let halves = bricks.elements.iter().flat_map(|brick| {
+        let n = brick.nodes();
+        [[0, 1, 2], [0, 2, 3]]
+            .map(|[a, b, c]| Element::new(Shape::Wedge6, &[n[a], n[b], n[c], n[4 + a], n[4 + b], n[4 + c]]))
+    });
+    let mesh = Mesh { elements: halves.collect(), ..bricks.clone() };
+    let differ = |wished: fn([f64; 3]) -> u8| {
+        let ready = Ready::new(whole(mesh.clone())).levelled(wished);
+        ready.model.nodes.level.iter().any(|level| *level != ready.model.nodes.level[0])
+    };
+    assert!(!differ(|[.., z]| u8::from(z > 0.5)) && differ(|[x, ..]| u8::from(x > 3.5)));
 }

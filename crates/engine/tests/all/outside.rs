@@ -3,7 +3,7 @@
 use crate::ready::{Ready, body, whole};
 use tremolite_engine::column::WIDTH;
 use tremolite_engine::life::Life;
-use tremolite_engine::{Base, Problem, Side, Traction};
+use tremolite_engine::{Base, Domain, Problem, Side, Traction};
 use tremolite_mesh::boxes::BoxSpec;
 use tremolite_mesh::{Face, Mesh};
 
@@ -72,4 +72,52 @@ fn columns_are_pressed_as_the_ground_beside_them() {
             .collect();
         assert_eq!(pressed, uppermost, "top at {top}");
     }
+}
+
+/// Where the model's top is pressed, so is all that stands outside its sides, up to the corners, and nothing else of it.
+#[test]
+fn slabs_are_pressed_where_the_ground_beside_them_is() {
+    let (low, high) = ([4.0, 0.0, -2.0], [7.0, 2.0, 1.0]);
+    let mut problem = whole(BoxSpec::uniform(low, high, [3, 2, 3]).mesh().unwrap());
+    problem.sides = [Side::FreeField; 2];
+    let stress = [-3e5, -2e5, -1e5, 0.0, 0.0, 0.0];
+    let faces = (12..18).map(|element| (Face { element, side: TOP }, stress)).collect();
+    problem.tractions = vec![Traction { name: "overburden".into(), faces, life: Life::ALWAYS }];
+    let ready = Ready::new(problem);
+    let mesh = &ready.model.mesh;
+    let on_top = |n: u32| (mesh.nodes[n as usize][2] - high[2]).abs() < 1e-9;
+    let outer = ready.model.outside.sheets().flat_map(|sheet| sheet.elements());
+    let mut above: Vec<u32> =
+        outer.filter(|&e| mesh.elements[e as usize].nodes().iter().any(|&n| on_top(n))).collect();
+    above.sort_unstable();
+    let columns = ready.model.outside.columns.iter().filter(|column| column.sheet.is_none());
+    let columns: Vec<u32> = columns.map(|column| column.layers.last().unwrap().element).collect();
+    let mut pressed: Vec<u32> = Vec::new();
+    for (face, own) in &ready.model.loading.tractions[0].faces {
+        assert!(mesh.face_nodes(*face).all(on_top) && *own == stress, "{face:?}");
+        if face.element as usize >= ready.model.user.elements && !columns.contains(&face.element) {
+            pressed.push(face.element);
+        }
+    }
+    pressed.sort_unstable();
+    assert!(above.len() >= 2 * (3 + 2), "{}", above.len());
+    assert_eq!(pressed, above);
+}
+
+/// What stands outside one pair of sides ends at the other pair as the model does there.
+#[test]
+fn slabs_are_held_where_they_end_as_the_model_is_there() {
+    let (low, high) = ([4.0, 0.0, -2.0], [7.0, 2.0, 1.0]);
+    let mut problem = whole(BoxSpec::uniform(low, high, [3, 4, 3]).mesh().unwrap());
+    problem.sides = [Side::FreeField, Side::Roller];
+    let ready = Ready::new(problem);
+    let mut ends = [0, 0];
+    for n in (0..ready.model.mesh_node.len()).filter(|&n| ready.model.nodes.domain[n] == Domain::Slab) {
+        let [_, y, _] = ready.place(n as u32);
+        let moves = ready.phase.inverse_mass[ready.phase.master[n] as usize].0;
+        let end = (y - low[1]).abs() < 1e-9 || (y - high[1]).abs() < 1e-9;
+        assert_eq!([0, 1, 2].map(|i| moves[i] > 0.0), [true, !end, true], "y = {y}");
+        ends[usize::from(end)] += 1;
+    }
+    assert!(ends[0] > 0 && ends[1] > 0);
 }

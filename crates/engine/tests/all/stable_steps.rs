@@ -33,6 +33,6 @@ fn the_search_ends_by_the_relative_change_of_what_it_finds() {
     };
     // A power of two leaves the same bits but for the exponent.
     let [small, large] = [0.25, 64.0].map(found);
-    assert!(small.change < 1e-5 && small.iterations < 200, "{small:?}");
+    assert!(small.change < 1e-5 && (4..200).contains(&small.iterations), "{small:?}");
     assert_eq!((small.iterations, small.change), (large.iterations, large.change));
 }
