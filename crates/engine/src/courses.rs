@@ -221,7 +221,7 @@ mod tests {
             courses.gained_each(&asked, [place - 0.7, place + 0.7], &mut narrow);
             assert_eq!(gained, narrow);
             let exact = |asked: &Asked, place: f64| {
-                // A place that is no number counts as the first.
+                // What is no place is read as rest; a clamp would keep it.
                 let t = if place.is_nan() { 0.0 } else { (place - asked.late).clamp(0.0, 39.0) };
                 let size = if asked.number < 5 { f64::from(asked.number) } else { 0.0 };
                 [size * t * t * t, 2.0 * size * t * t]

@@ -112,4 +112,28 @@ mod tests {
         points.forces(0.0, &mut out);
         assert_eq!(out, [[-4.0, -3.0, 0.0]]);
     }
+
+    /// What is kept is counted: two points of six numbers, three shares, and of two places where their shares end, with one list and two ends.
+    #[test]
+    fn bytes_are_those_of_points_shares_and_ends() {
+        let at = |x: f64| [x, 0.0, 0.0];
+        let normal = [0.0, 0.0, -1.0];
+        let end = |x: f64| {
+            let along = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+            End { at: at(x), normal, along, lacking: [0.0; 2], beside: [0.0; 2] }
+        };
+        let first =
+            Place { at: at(0.0), shares: vec![(at(1.0), normal), (at(2.0), normal)], ..Place::default() };
+        let second = Place {
+            at: at(3.0),
+            shares: vec![(at(2.0), normal)],
+            ends: vec![end(1.0), end(2.0)],
+            ..Place::default()
+        };
+        let points = AtPoints::new(Arc::new(Pressed), &[&first, &second]);
+        let of_points = 2 * 6 * size_of::<f64>();
+        let of_shares = 3 * size_of::<(u32, f64)>() + 2 * size_of::<usize>();
+        let of_ends = 2 * size_of::<Vec<End>>() + 2 * size_of::<(u32, End)>();
+        assert_eq!(points.bytes(), of_points + of_shares + of_ends);
+    }
 }

@@ -143,6 +143,91 @@ mod tests {
         }
     }
 
+    /// Of σ_xx that goes along y with ν/(1 − ν) σ_yy and a share of tr σ, a node at an end along y takes a quarter of the middle's too, and of
+    /// what goes with σ_zz ∫ N y.
+    #[test]
+    fn stress_out_of_the_face_is_that_of_the_middle_as_far_as_it_lacks() {
+        let lacking = [0.3, 0.1];
+        // 0.3 σ_yy + 0.1 tr σ = σ_xx, of σ_yy = 2y and σ_zz = 5y.
+        let [y, z] = [2.0, 5.0];
+        let x = (lacking[0] * y + lacking[1] * (y + z)) / (1.0 - lacking[1]);
+        let stress = |at: [f64; 3]| [x * at[1], y * at[1], z * at[1], 0.0, 0.0, 0.0];
+        for (ended, share) in [([false; 2], 1.0 / 12.0), ([true, false], 1.0 / 8.0)] {
+            let [out, ..] = taken(0, ended, lacking, stress);
+            assert!((out - share * x).abs() < 1e-15, "{ended:?}: {out}");
+        }
+        // As far as σ_zz alone goes, nothing lacks along y but by the trace.
+        let stress = |at: [f64; 3]| [at[1], 0.0, at[1], 0.0, 0.0, 0.0];
+        let [out, ..] = taken(0, [true, false], [0.3, 0.0], stress);
+        assert!((out - 1.0 / 12.0).abs() < 1e-15, "{out}");
+    }
+
+    /// On a face whose sides are not square the traction along a side, and not across the other, is that of the middle: τ = p e₁ and τ = p e₂
+    /// at p e₁ + q e₂.
+    #[test]
+    fn shear_on_a_skew_face_goes_by_its_sides() {
+        let [c, s] = [0.6, 0.8];
+        let skew: [FacePoint; 4] = face().map(|point| {
+            let [_, p, q] = point.at;
+            let area = point.area.map(|a| s * a);
+            FacePoint { at: [0.0, p + c * q, s * q], area, shapes: point.shapes }
+        });
+        let taken = |direction: [f64; 2], ended: [bool; 2]| {
+            let stress = |at: [f64; 3]| {
+                let p = at[1] - c * at[2] / s;
+                [0.0, 0.0, 0.0, p * direction[0], 0.0, p * direction[1]]
+            };
+            let mut sum = [0.0; 2];
+            for point in &skew {
+                let on = stress(point.at);
+                let own = point.shapes[0] * point.area[0];
+                (sum[0], sum[1]) = (sum[0] + own * on[3], sum[1] + own * on[5]);
+            }
+            for end in at_corner(&skew, 0, ended, [0.0; 2]) {
+                let force = end.force(&stress(end.at));
+                (sum[0], sum[1]) = (sum[0] + force[1], sum[1] + force[2]);
+            }
+            sum
+        };
+        for (direction, ended, share) in [
+            ([1.0, 0.0], [true, false], s / 8.0),
+            ([c, s], [true, false], s / 12.0),
+            ([1.0, 0.0], [false, true], s / 12.0),
+        ] {
+            let found = taken(direction, ended);
+            let near = (0..2).all(|i| (found[i] - share * direction[i]).abs() < 1e-15);
+            assert!(near, "{direction:?} {ended:?}: {found:?}");
+        }
+    }
+
+    /// Of four faces of a plane the eight edges around it are ends, and at each node the edges that leave it there.
+    #[test]
+    fn a_plane_ends_at_the_edges_that_are_of_one_face() {
+        let mesh =
+            tremolite_mesh::boxes::BoxSpec::uniform([0.0; 3], [1.0, 2.0, 2.0], [1, 2, 2]).mesh().unwrap();
+        let faces =
+            crate::outer_faces::OuterFaces::of(&mesh, mesh.bounds(), &[0, 1, 2, 3]).planes[0][0].clone();
+        assert_eq!(faces.len(), 4);
+        let found = ends(&mesh, &faces);
+        let around = |n: u32| mesh.nodes[n as usize][1..].iter().any(|x| *x == 0.0 || *x == 2.0);
+        let along = |[a, b]: Edge| {
+            let [a, b] = [a, b].map(|n| mesh.nodes[n as usize]);
+            (0..3).map(|i| (a[i] - b[i]).abs()).sum::<f64>()
+        };
+        assert_eq!(found.len(), 8);
+        assert!(found.iter().all(|&edge| edge.into_iter().all(around) && along(edge) == 1.0), "{found:?}");
+        // A corner lacks along both of its edges, the middle of a side along the way out alone, the middle of all nowhere.
+        let places = face_shares(&mesh, &faces, |_| [0.0; 2]);
+        for (n, place) in &places {
+            let at = mesh.nodes[*n as usize];
+            let beside = [1, 2].map(|i| {
+                let along = |end: &End| (0..2).find(|&axis| end.along[axis][i].abs() > 0.9).unwrap();
+                place.ends.iter().any(|end| end.beside[along(end)] != 0.0)
+            });
+            assert_eq!(beside, [1, 2].map(|i| at[i] == 0.0 || at[i] == 2.0), "{at:?}");
+        }
+    }
+
     /// A stress that is the same everywhere is taken whole, whatever the axes.
     #[test]
     fn an_even_stress_needs_nothing_beside() {

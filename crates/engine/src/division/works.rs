@@ -183,3 +183,29 @@ fn update(model: &Model, assembly: &Assembly, patch: usize) -> f64 {
     let shape = if patch.bricks || points > 1 { 1.0 } else { 1.6 };
     elements.next_multiple_of(LANES) as f64 * element * shape
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Body, Problem, elastic};
+    use tremolite_laws::Moduli;
+    use tremolite_mesh::boxes::BoxSpec;
+
+    /// Sixteen bricks in one patch cost as many updates, and what has eight points in each more.
+    #[test]
+    fn an_update_of_an_elastic_brick_is_one() {
+        let of = |quadrature: Quadrature| {
+            let mesh = BoxSpec::uniform([0.0; 3], [4.0, 2.0, 2.0], [4, 2, 2]).mesh().unwrap();
+            let material = elastic(Moduli::from_young_poisson(1e9, 0.25));
+            let elements = (0..16).collect();
+            let body =
+                Body { name: "rock".into(), elements, material, density: 2500.0, quadrature, viscosity: 0.0 };
+            let model = Model::new(Problem::new(mesh, vec![body])).unwrap();
+            let assembly = Assembly::new(&model).unwrap();
+            assert_eq!(model.patches.len(), 1);
+            update(&model, &assembly, 0) / 16.0
+        };
+        let [one, full] = [Quadrature::OnePoint, Quadrature::Full].map(of);
+        assert!((0.9..1.1).contains(&one) && full > 1.2 * one, "{one} {full}");
+    }
+}

@@ -93,3 +93,44 @@ impl Engine {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Assembly, Body, Incident, Problem, Quadrature, Stage, elastic};
+    use tremolite_laws::Moduli;
+    use tremolite_mesh::boxes::BoxSpec;
+    use tremolite_motion::{Motion, Sample};
+
+    /// 24 m³ of 2,500 kg/m³ beside half an outcrop's motion of 0.6 m/s along x and 0.8 m/s along z at most.
+    #[test]
+    fn what_counts_as_supplied_is_a_millionth_of_the_model_at_the_waves_peak() {
+        let mesh = BoxSpec::uniform([0.0; 3], [4.0, 3.0, 2.0], [2, 3, 1]).mesh().unwrap();
+        let material = elastic(Moduli::from_young_poisson(1e9, 0.25));
+        let quadrature = Quadrature::OnePoint;
+        let body = Body {
+            name: "rock".into(),
+            elements: (0..6).collect(),
+            material,
+            density: 2500.0,
+            quadrature,
+            viscosity: 0.0,
+        };
+        let mut problem = Problem::new(mesh, vec![body]);
+        let found = |problem: &Problem| {
+            let model = Model::new(problem.clone()).unwrap();
+            let assembly = Assembly::new(&model).unwrap();
+            noise(&model, &Phase::of(&model, &assembly, Stage::Shaking).unwrap())
+        };
+        assert_eq!(found(&problem), 0.0);
+        problem.base = crate::Base::Viscous;
+        let sample = |t: f64| {
+            let v = if (t - 0.05).abs() < 1e-6 { [0.6, 0.0, -0.8] } else { [0.0; 3] };
+            Sample { a: [0.0; 3], v, u: [0.0; 3] }
+        };
+        let motion = Motion::sampled(0.01, 0.1, sample).unwrap();
+        problem.incident = Some(Incident { motion, factor: 0.5 });
+        let exact = 1e-6 * 0.5 * 24.0 * 2500.0 * 0.25;
+        assert!((found(&problem) / exact - 1.0).abs() < 1e-12, "{} {exact}", found(&problem));
+    }
+}

@@ -350,3 +350,28 @@ impl Part for Bars {
         self.scatter(&scratch.rows, out);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::pressure_across;
+
+    /// Along t = (2, 3, 6)/7 a stress t⊗t leaves nothing across, one of three across is their mean, and tension is none.
+    #[test]
+    fn pressure_across_a_bar_leaves_out_what_is_along_it() {
+        let t = [2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0];
+        let along = [t[0] * t[0], t[1] * t[1], t[2] * t[2], t[0] * t[1], t[1] * t[2], t[2] * t[0]];
+        // What is along, and what is the same all around.
+        let stress = |a: f64, p: f64| [0, 1, 2, 3, 4, 5].map(|i| a * along[i] - if i < 3 { p } else { 0.0 });
+        for a in [-5e6, 0.0, 3e6] {
+            let found = pressure_across(&stress(a, 2e6), t);
+            assert!((found - 2e6).abs() < 1e-6, "{a}: {found}");
+            assert_eq!(pressure_across(&stress(a, -1e6), t), 0.0);
+        }
+        // Across, 4 MPa along (3, −2, 0)/√13 and nothing along the other.
+        let n = [3.0 / 13.0_f64.sqrt(), -2.0 / 13.0_f64.sqrt(), 0.0];
+        let found =
+            pressure_across(&[-4e6 * n[0] * n[0], -4e6 * n[1] * n[1], 0.0, -4e6 * n[0] * n[1], 0.0, 0.0], t);
+        assert!((found - 2e6).abs() < 1e-6, "{found}");
+        assert!(pressure_across(&[f64::NAN; 6], t).is_nan());
+    }
+}

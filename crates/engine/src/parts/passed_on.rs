@@ -181,3 +181,19 @@ impl Part for PassedOn {
         self.elements.viscosity_times(w, forces, scratch)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::constant::Constant;
+
+    /// The elements, the numbers of five nodes and two places for each of the two of the side.
+    #[test]
+    fn bytes_are_those_of_elements_nodes_and_places() {
+        let elements = || Box::new(Constant::new([3, 5, 8].map(|node| (node, [1.0; 3]))));
+        let own = elements().bytes();
+        let part = PassedOn::new(elements(), vec![(1, [0, 1]), (2, [1, 2])], true);
+        assert_eq!(part.nodes(), [3, 5, 8, 1, 2]);
+        assert_eq!(part.bytes(), own + 5 * size_of::<u32>() + 2 * 2 * size_of::<u16>());
+    }
+}

@@ -348,3 +348,17 @@ fn drucker_prager_meets_mohr_coulomb_where_its_fit_says() {
     let direct = with_word(rock(&[("q_phi", 0.5), ("k_phi", 1e6)]), "fit", "direct");
     assert_eq!(DruckerPrager::new(&direct).unwrap().cone(), [0.5, 1e6, 0.0]);
 }
+
+/// In pure shear √J₂ of the plastic strain is half of what is beyond k_φ/μ, and to and fro it adds up.
+#[test]
+fn drucker_prager_accumulates_the_plastic_shear_of_its_cone() {
+    let direct = with_word(rock(&[("q_phi", 0.5), ("k_phi", 1e6)]), "fit", "direct");
+    let law = DruckerPrager::new(&direct).unwrap();
+    let (elastic, shear) = (1e6 / law.moduli().mu, 3e-3);
+    let there = [0.0, 0.0, 0.0, shear, 0.0, 0.0];
+    let (_, first) = follow(&law, &[there], 7);
+    assert_close(first[0], 0.5 * (shear - elastic), 1e-12);
+    let (stress, both) = follow(&law, &[there, there.map(|x| -x)], 7);
+    assert_close(both[0], 0.5 * (shear - elastic) + (shear - elastic), 1e-12);
+    assert_close(stress[3], -1e6, 1e-12);
+}

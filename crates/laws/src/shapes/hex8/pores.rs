@@ -149,3 +149,31 @@ fn keep<L: Lane>(value: L, to: &Cell<Octet>, at: usize) {
     value.store(&mut octet, at);
     to.set(octet);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In the step that comes down to the floor the trapezoidal rule takes the work along the path, −½M(θ*² − θ²) − f(θ⁺ − θ*), θ* where the floor
+    /// f is met; in the next it stays at the floor.
+    #[test]
+    fn the_step_down_to_the_floor_takes_the_work_along_the_path() {
+        let octet = |x: f64| Octet([x; 8]);
+        let (stiffness, floor) = (2e9, 3e5);
+        let pores = [Pores { stiffness: octet(stiffness), least: octet(-floor), ..Pores::default() }];
+        let met = floor / stiffness;
+        for (from, to) in [(0.3, 1.7), (-2.0, 1.1), (0.9, 4.0)].map(|(a, b)| (a * met, b * met)) {
+            let held = [Held::default()];
+            let number = |k: usize, x: f64| held[0].numbers[k].set(octet(x));
+            number(0, 1e-3);
+            number(2, -stiffness * from);
+            let undrained = Undrained { pores: &pores, held: &held, begins: false };
+            let step = undrained.press::<f64>(1e-3 + to, 0);
+            let along = -0.5 * stiffness * (met * met - from * from) - floor * (to - met);
+            let taken = 0.5 * (step.change - stiffness * from) * (to - from);
+            assert!((taken / along - 1.0).abs() < 1e-9, "{from} {to}: {taken} {along}");
+            number(2, step.change);
+            assert_eq!(undrained.press::<f64>(1e-3 + 1.2 * to, 0).change, -floor);
+        }
+    }
+}
