@@ -1,6 +1,6 @@
 //! A state whose parts have been evaluated, and the step on from there.
 
-use super::evaluation::{Forces, Probed, arrive};
+use super::evaluation::{Forces, Probed};
 use super::{Engine, Snapshot, nodes};
 use crate::assembly::Slices;
 use crate::exchange::To;
@@ -10,7 +10,7 @@ use crate::phase::Phase;
 use crate::ranks::Wanted;
 use crate::state::{Memory, State};
 use std::sync::Arc;
-use tremolite_laws::{Octet, Row};
+use tremolite_laws::Octet;
 
 /// A state u^n whose parts have seen it, with the forces that they push with there. It can be looked at and advanced once; it
 /// cannot be evaluated again.
@@ -114,10 +114,7 @@ impl Engine {
     pub fn evaluate(&mut self, mut state: State, see: See) -> Evaluated {
         let mut probed =
             (see != See::Nothing).then(|| Probed { glance: see == See::Glance, ..Probed::default() });
-        match see == See::Nothing && self.model.scheme.rayleigh.stiffness == 0.0 {
-            true => self.evaluate_ahead(&mut state, None),
-            false => self.evaluate_at(&mut state, probed.as_mut()),
-        }
+        self.evaluate_at(&mut state, probed.as_mut());
         let snapshot = probed.map(|mut probed| {
             if see == See::Glance {
                 self.soak(&mut probed.stress, &state.kept());
@@ -203,13 +200,10 @@ impl Engine {
             let Snapshot { stress, energy, pore, .. } = snapshot;
             self.shown = Shown { stress, energy, pore, history, numbers };
         }
-        let Forces { contributions, rates, leads, works, awaited } = &mut forces;
+        let Forces { contributions, rates, leads, works } = &mut forces;
         // A given free field is at rest in a quiet run.
         let time = (!self.quiet).then(|| state.time());
-        let arrive = |state: &State, contributions: &mut [Row]| {
-            arrive(self.ranks.as_deref(), &phase, state, contributions, awaited);
-        };
-        nodes::advance(&model, &phase, time, (contributions, arrive), &rates.products, leads, &mut state);
+        nodes::advance(&model, &phase, time, contributions, &rates.products, leads, &mut state);
         state.ledger.book(&phase.beat(&state).active, works);
         state.step += 1;
         self.forces = forces;

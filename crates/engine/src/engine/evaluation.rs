@@ -9,7 +9,6 @@ use crate::member::Member;
 use crate::model::Model;
 use crate::parts::{ElementEnergy, Kept, Motion, Own, ProbeOut, Scratch, Tick, UNKNOWN};
 use crate::phase::Phase;
-use crate::ranks::Ranks;
 use crate::state::State;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -29,8 +28,6 @@ pub(super) struct Forces {
     pub leads: Vec<Lead>,
     /// Work that each active part books \[J\].
     pub works: Vec<Lines>,
-    /// Whether contributions of other ranks are still on their way.
-    pub awaited: bool,
 }
 
 impl Forces {
@@ -40,7 +37,6 @@ impl Forces {
             rates: Rates::new(model, assembly, phase),
             leads: vec![Lead::default(); phase.leaders.len()],
             works: Vec::new(),
-            awaited: false,
         }
     }
 }
@@ -141,20 +137,8 @@ thread_local! {
 impl Engine {
     /// Evaluates all active parts at a state, which remember what they saw, and the products with K that ξ ≠ 0 needs.
     pub(super) fn evaluate_at(&mut self, state: &mut State, probed: Option<&mut Probed>) {
-        self.evaluate_ahead(state, probed);
-        self.arrive(state);
-        self.rates_at(state, state.kept());
-    }
-
-    /// The same for [`nodes::advance`](super::nodes::advance) alone, where ξ is 0: contributions of other ranks may still be on their way.
-    pub(super) fn evaluate_ahead(&mut self, state: &mut State, probed: Option<&mut Probed>) {
         self.parts_at(Subject::State(state), probed);
-    }
-
-    /// Waits for contributions of other ranks, if they are on their way.
-    fn arrive(&mut self, state: &State) {
-        let Engine { phase, forces: Forces { contributions, awaited, .. }, ranks, .. } = self;
-        arrive(ranks.as_deref(), phase, state, contributions, awaited);
+        self.rates_at(state, state.kept());
     }
 
     /// The same on copies of what parts remember of histories and numbers, which are given back as evaluated; the state is left as
@@ -166,7 +150,6 @@ impl Engine {
     ) -> (Vec<Octet>, Vec<f64>) {
         let (mut history, mut numbers) = (state.history.clone(), state.numbers.clone());
         self.parts_at(Subject::Copies { state, history: &mut history, numbers: &mut numbers }, probed);
-        self.arrive(state);
         self.rates_at(state, Kept { history: &history, numbers: &numbers, ..state.kept() });
         (history, numbers)
     }
@@ -231,20 +214,7 @@ impl Engine {
         let works = slots.early.iter().filter_map(|&is| if is { early.next() } else { late.next() });
         forces.works = works.collect();
         ranks.tally.worked(begin.elapsed());
-        forces.awaited = true;
-    }
-}
-
-/// Waits for contributions of other ranks at a state, if they are on their way.
-pub(super) fn arrive(
-    ranks: Option<&Ranks>,
-    phase: &Phase,
-    state: &State,
-    contributions: &mut [Row],
-    awaited: &mut bool,
-) {
-    if let Some((ranks, ours)) = ranks.zip(phase.ours.as_ref()).filter(|_| std::mem::take(awaited)) {
-        ranks.finish(&ours.halos[phase.beat_number(state)], contributions);
+        ranks.finish(slots, &mut forces.contributions);
     }
 }
 

@@ -208,12 +208,12 @@ pub(super) fn given(
 }
 
 /// u^n to u^{n+1}, with room for what leaders leave; `time` is that of a given free field, which else is at rest. Blocks book onto the
-/// state's ledger. Those that need nothing of other ranks come first, then contributions of these `arrive`.
+/// state's ledger.
 pub fn advance(
     model: &Model,
     phase: &Phase,
     time: Option<f64>,
-    (contributions, arrive): (&mut [Row], impl FnOnce(&State, &mut [Row])),
+    contributions: &[Row],
     products: &Products,
     leads: &mut [Lead],
     state: &mut State,
@@ -222,19 +222,12 @@ pub fn advance(
     let width = state.ledger.width();
     let dt = state.dt;
     let beat = phase.beat(state);
+    let State { u, du, held, ledger, .. } = state;
     let wide = Isa::Avx2.available();
+    let pass = Advance { phase, contributions, held, products, damping, wide };
     given(model, phase, beat, time, dt, leads);
-    let (alone, rest) = beat.passes.split_at(beat.alone);
-    let mut pass = |passes: &[Pass], contributions: &[Row], state: &mut State| {
-        let State { u, du, held, ledger, .. } = state;
-        let pass = Advance { phase, contributions, held, products, damping, wide };
-        let books = (&mut ledger.blocks[..], width);
-        by_passes((phase, passes), leads, [u, du], books, |share| pass.share(share));
-    };
-    pass(alone, contributions, state);
-    arrive(state, contributions);
-    pass(rest, contributions, state);
-    let State { u, du, ledger, .. } = state;
+    let books = (&mut ledger.blocks[..], width);
+    by_passes((phase, &beat.passes), leads, [u, du], books, |share| pass.share(share));
     let mut borders = Borders::from(phase, 0);
     for &(node, master) in &beat.tied {
         let next = du[master as usize];

@@ -15,8 +15,6 @@ pub struct Beat {
     pub active: Vec<u32>,
     /// Nodes that are advanced, leaders first.
     pub passes: Vec<Pass>,
-    /// How many of these passes need nothing of other ranks, the first ones.
-    pub alone: usize,
     /// Those of a given free field that somebody who is advanced follows: places in [`Phase::leaders`](crate::Phase::leaders).
     pub given: Vec<u32>,
     /// (tied node, master) of those that are advanced.
@@ -125,7 +123,6 @@ impl Meeting<'_> {
             active: active.to_vec(),
             given: (0..given.count() as u32).collect(),
             passes: passes.into_iter().map(Pass::level).collect(),
-            alone: 0,
             tied: tied.to_vec(),
             drifting: Vec::new(),
         }
@@ -161,7 +158,6 @@ impl Meeting<'_> {
                     .filter(|&m| assembly.members[m as usize].level <= coarsest)
                     .collect(),
                 passes: passes.iter().map(|pass| pass.up_to(coarsest)).collect(),
-                alone: 0,
                 given: given.collect(),
                 tied: tied.iter().copied().filter(|&(node, _)| level(node) <= coarsest).collect(),
                 drifting,

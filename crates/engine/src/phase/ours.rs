@@ -4,7 +4,6 @@
 //! So several ranks move the same node, to the same bits, since each adds up the same contributions in the order of parts; and one
 //! message a step does, of the single contributions that others need. Sums of contributions would not do: they would be other bits.
 
-use super::passes::{Pass, Turn};
 use super::{Beat, ElementSlot, Phase};
 use crate::assembly::Assembly;
 use crate::division::Division;
@@ -72,14 +71,13 @@ impl Phase {
             .collect();
         let mut has = vec![false; model.nodes.blocks.len()];
         blocks.iter().for_each(|&b| has[b as usize] = true);
-        let mut beats: Vec<Beat> = self
+        let beats: Vec<Beat> = self
             .beats
             .iter()
             .map(|beat| Beat {
                 coarsest: beat.coarsest,
                 active: beat.active.iter().copied().filter(|&m| of(m) == rank).collect(),
                 passes: beat.passes.iter().map(|pass| pass.of(|turn| has[turn.block])).collect(),
-                alone: 0,
                 given: beat.given.clone(),
                 tied: beat.tied.iter().copied().filter(|&(node, _)| holds[node as usize]).collect(),
                 drifting: beat.drifting.iter().filter(|drifting| has[drifting.block]).cloned().collect(),
@@ -128,22 +126,6 @@ impl Phase {
         let element_slot =
             self.element_slot.iter().map(|slot| held(slot.as_ref()?, assembly, division, rank));
         let element_slot = element_slot.collect();
-        // Blocks that nothing of others pushes, that lead nobody and follow no leader: they are advanced while messages are on their way.
-        let mut waits: Vec<bool> = std::iter::zip(&start, &start[1..])
-            .map(|(&from, &to)| slot[from as usize..to as usize].iter().any(|&slot| slot as usize >= own))
-            .collect();
-        for (node, dashpot) in &self.dashpots {
-            waits[*node as usize] |=
-                dashpot.follows.iter().any(|follow| matches!(follow.leader, Leader::Node(_)));
-        }
-        let given = self.leaders.iter().take_while(|leader| matches!(leader, Leader::Given(_))).count();
-        for beat in &mut beats {
-            let alone = |turn: &Turn| turn.leaders.is_empty() && !waits[turn.nodes.clone()].contains(&true);
-            let first = Pass::together(beat.passes.iter().map(|pass| pass.of(alone)), given);
-            let rest = beat.passes.iter().map(|pass| pass.of(|turn| !alone(turn)));
-            beat.passes = std::iter::once(first).chain(rest).collect();
-            beat.alone = 1;
-        }
         Phase { beats, start, slot, slot_account, borders, element_slot, ours: Some(ours), ..self.clone() }
     }
 

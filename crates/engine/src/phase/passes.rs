@@ -56,17 +56,6 @@ impl Pass {
         self
     }
 
-    /// Blocks of several passes, of which none leads and none follows others than the first `given` leaders, in one.
-    pub fn together(passes: impl Iterator<Item = Pass>, given: usize) -> Self {
-        let turns = passes.flat_map(|pass| pass.turns);
-        // Places among leaders go by passes, and would not ascend with blocks.
-        let mut turns: Vec<Turn> = turns.map(|turn| Turn { leaders: given..given, ..turn }).collect();
-        turns.sort_unstable_by_key(|turn| turn.block);
-        let mut all = Pass::default();
-        turns.into_iter().for_each(|turn| all.push(turn));
-        all
-    }
-
     fn push(&mut self, turn: Turn) {
         let at = self.turns.len();
         let fits = |share: &&mut Range<usize>| {
