@@ -68,8 +68,8 @@ pub fn at_rest(
                 found.largest = Some((high, centroid(&model.mesh, e as u32)));
             }
         }
-        let yields = history.with_role(&slot, Role::PlasticShear);
-        if yields.is_some_and(|column| history.values(&slot, column).any(|shear| shear > 0.0)) {
+        let yields = history.with_role(slot, Role::PlasticShear);
+        if yields.is_some_and(|column| history.values(slot, column).any(|shear| shear > 0.0)) {
             found.beyond += volume;
         }
         let strength = model.elements.body_of[e].and_then(|body| strengths[body]);
