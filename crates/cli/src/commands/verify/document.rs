@@ -42,11 +42,11 @@ with which tolerance and for what reason, and what came of it when it was run la
 The page is written by the program: by `tremolite verify --full --write docs` after a run, or by `tremolite verify --recorded --write docs` from the figures on record,
 [figures.json](verification/figures.json). `cargo test` fails where the page is not what the record gives, where its list of problems is not the program's, and where a figure
 on record is beyond its tolerance. `cargo test` and `tremolite verify` run the problems; either fails on a figure beyond its tolerance, of an error or of an
-order of convergence. `tremolite verify --against docs/verification/figures.json` fails as well where any order is below that on record.
+order of convergence. `tremolite verify --against docs/verification/figures.json` fails as well where any order is below that on record of a run of the same kind, plain or full.
 
 *Tolerance* is the largest difference from the reference that passes, in the unit of the value; figures without one are for information. *Share* is the difference over the
 tolerance. *Order* is that of convergence between the two finest meshes or steps that were run. Symbols are those of [NOTATION.md](../NOTATION.md), sources those of
-[references.bib](../references.bib). *Plain* runs are those of `tremolite verify`; *full* ones have finer meshes and series as well. Seconds are
+[references.bib](../references.bib). *Plain* runs are those of `tremolite verify`; *full* ones have finer meshes and series as well, and are shown where the record has both. Seconds are
 of the run on record, whatever else its machine did.
 
 ";

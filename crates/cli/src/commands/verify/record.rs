@@ -6,14 +6,14 @@ use std::path::Path;
 use tremolite_results::replace_file;
 use tremolite_verify::{Check, Verified};
 
-/// What is known of the problems, in no order that matters.
+/// What is known of the problems, in no order that matters: of each at most one plain run and one full run.
 #[derive(Debug, Default, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Record {
     pub problems: Vec<Problem>,
 }
 
-/// The last run of one problem.
+/// The last run of one kind of one problem.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Problem {
@@ -111,25 +111,29 @@ impl Record {
         replace_file(path, text.as_bytes()).map_err(Failure::failed)
     }
 
-    /// Takes in what a problem came to, in the place of what was known of it.
+    /// Takes in what a problem came to, in the place of what was known of it by a run of the same kind.
     pub fn take(&mut self, name: &str, full: bool, verified: &Verified) {
         let figures = verified.checks.iter().map(Figure::from).collect();
         let problem = Problem { name: name.to_owned(), full, seconds: verified.seconds, figures };
-        match self.problems.iter_mut().find(|known| known.name == name) {
+        match self.problems.iter_mut().find(|known| known.name == name && known.full == full) {
             Some(known) => *known = problem,
             None => self.problems.push(problem),
         }
     }
 
+    /// The run of a problem that says most of it: the full one where there is one.
     pub fn problem(&self, name: &str) -> Option<&Problem> {
-        self.problems.iter().find(|problem| problem.name == name)
+        self.of_kind(name, true).or_else(|| self.of_kind(name, false))
     }
 
-    /// How many orders of a problem could be set beside those on record, of a run of the same kind or a full one, which must have what a plain one has
-    /// under the same names, and what is said of each that was lost.
+    fn of_kind(&self, name: &str, full: bool) -> Option<&Problem> {
+        self.problems.iter().find(|problem| problem.name == name && problem.full == full)
+    }
+
+    /// How many orders of a problem could be set beside those on record of a run of the same kind, and what is said of each that was lost. Full
+    /// runs have finer meshes, so orders of the same names are other ones.
     pub fn orders(&self, name: &str, full: bool, verified: &Verified) -> (usize, Vec<String>) {
-        let same = self.problem(name).filter(|problem| problem.full || !full);
-        let known = same.map_or(&[][..], |problem| &problem.figures);
+        let known = self.of_kind(name, full).map_or(&[][..], |problem| &problem.figures);
         let mut lost = Vec::new();
         let mut count = 0;
         for check in &verified.checks {
@@ -165,18 +169,20 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_and_a_second_run_takes_the_place_of_the_first() {
+    fn what_is_written_is_read_and_a_second_run_takes_the_place_of_the_first_of_its_kind() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("figures.json");
         let mut record = Record::read(&path).unwrap();
         assert_eq!(record, Record::default());
         record.take("x", false, &verified(f64::NAN, 2.0));
         record.take("y", false, &verified(1e-3, 2.0));
+        assert!(!record.problem("x").unwrap().full);
+        record.take("x", true, &verified(0.5, 2.0));
         record.take("x", true, &verified(1.0 / 3.0, 2.0));
         record.write(&path).unwrap();
         let read = Record::read(&path).unwrap();
         assert_eq!(read, record);
-        assert!(read.problems.len() == 2 && read.problem("x").unwrap().full);
+        assert!(read.problems.len() == 3 && read.problem("x").unwrap().full);
         assert_eq!(read.problem("x").unwrap().figures[0].share(), Some(1.0 / 3.0 / 0.01));
         std::fs::write(&path, "{").unwrap();
         let refused = Record::read(&path).unwrap_err().message;
@@ -191,6 +197,10 @@ mod tests {
         let (count, lost) = record.orders("x", true, &verified(1e-3, 1.7));
         assert!(count == 1 && lost[0].contains("order 1.70, 2.00 on record"), "{lost:?}");
         assert_eq!(record.orders("x", true, &verified(1e-3, f64::NAN)).1.len(), 1);
+        // A plain run is set beside a plain one alone.
+        assert_eq!(record.orders("x", false, &verified(1e-3, 1.7)), (0, vec![]));
+        record.take("x", false, &verified(1e-3, 1.8));
+        assert_eq!(record.orders("x", false, &verified(1e-3, 1.77)), (1, vec![]));
         assert_eq!(record.orders("x", false, &verified(1e-3, 1.7)).1.len(), 1);
         record.take("z", false, &verified(1e-3, 2.0));
         assert_eq!(record.orders("z", true, &verified(1e-3, 0.0)), (0, vec![]));
