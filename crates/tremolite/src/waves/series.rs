@@ -172,10 +172,12 @@ impl Series {
         };
         for ((sum, below), above) in sum.iter_mut().zip(at(level)).zip(at(level + 1)) {
             for ((below, above), of) in below.chunks_exact(KEPT).zip(above.chunks_exact(KEPT)).zip(of) {
-                let [a, b] = [below, above].map(|k| [0, 1, 2, 3].map(|i| f64::from(k[i])));
-                for (i, sum) in sum.iter_mut().enumerate() {
-                    let x = z0[0] * a[i] + z0[1] * a[i + 2] + z1[0] * b[i] + z1[1] * b[i + 2];
-                    (0..4).for_each(|c| sum[c] += x * of[c]);
+                let (a, b) = (|i: usize| f64::from(below[i]), |i: usize| f64::from(above[i]));
+                for i in 0..2 {
+                    let x = z0[0] * a(i) + z0[1] * a(i + 2) + z1[0] * b(i) + z1[1] * b(i + 2);
+                    for c in 0..4 {
+                        sum[i][c] += x * of[c];
+                    }
                 }
             }
         }
