@@ -56,14 +56,23 @@ pub trait Exchange: Send + Sync {
     fn rank(&self) -> u32;
     /// How many there are.
     fn ranks(&self) -> u32;
-    /// Begins to send these numbers, and to receive others. One halo is on its way at a time.
-    fn start(&self, halo: &Halo, words: &[f64]);
-    /// Waits for what the halo receives, which is left in `words`.
-    fn finish(&self, halo: &Halo, words: &mut [f64]);
+    /// Begins to send the first of these numbers, as many as the halo sends, and to receive others. One halo is on its way at a time. The
+    /// memory may be kept until it has arrived; then other memory is left in its place.
+    fn start(&self, halo: &Halo, words: &mut Vec<f64>);
+    /// Waits for what the halo receives, which are then the first of `words`. Its memory may be kept, as above.
+    fn finish(&self, halo: &Halo, words: &mut Vec<f64>);
     /// All ranks' numbers, those of rank 0 first, of which there are so many of each; nothing where they are not given.
     fn gather(&self, own: &[f64], counts: &[usize], to: To) -> Vec<f64>;
     /// The bits that any rank sets.
     fn agree(&self, bits: u64) -> u64;
+}
+
+/// Makes sure that there is room for so many numbers, and gives it; nothing is cut off, so that nothing is filled again.
+pub fn room(words: &mut Vec<f64>, count: usize) -> &mut [f64] {
+    if words.len() < count {
+        words.resize(count, 0.0);
+    }
+    &mut words[..count]
 }
 
 /// One process, which has nobody to tell anything.
@@ -79,9 +88,9 @@ impl Exchange for Alone {
         1
     }
 
-    fn start(&self, _: &Halo, _: &[f64]) {}
+    fn start(&self, _: &Halo, _: &mut Vec<f64>) {}
 
-    fn finish(&self, _: &Halo, _: &mut [f64]) {}
+    fn finish(&self, _: &Halo, _: &mut Vec<f64>) {}
 
     fn gather(&self, own: &[f64], _: &[usize], _: To) -> Vec<f64> {
         own.to_vec()

@@ -23,7 +23,7 @@ use crate::parts::Tick;
 use crate::rims::Joint;
 use crate::state::State;
 use crate::ties::Ties;
-use beats::{Beat, Border, Meeting, span};
+use beats::{Beat, Border, Meeting, Push, span};
 pub use driven::Driven;
 use ours::Ours;
 use std::collections::{BTreeMap, HashMap};
@@ -132,6 +132,8 @@ pub struct Phase {
     pub beats: Vec<Beat>,
     /// Nodes with longer steps than what pushes or reads them, ascending.
     pub borders: Vec<Border>,
+    /// What pushes them between their own times, in the order of borders.
+    pub pushes: Vec<Push>,
     /// Element of the mesh → its slot; for active elements of the user. A rank has slots of its own elements alone, where it holds them.
     pub element_slot: Vec<Option<ElementSlot>>,
     /// What of it one rank has, where several work on the model: beats are then that rank's.
@@ -299,12 +301,12 @@ impl Phase {
             leaders: &leaders,
             passes,
         };
-        let (beats, borders) = match drive {
+        let (beats, (borders, pushes)) = match drive {
             Drive::Dynamic => {
                 let borders = meeting.borders();
-                (meeting.beats(&borders), borders)
+                (meeting.beats(&borders.0), borders)
             }
-            Drive::Quasistatic => (vec![meeting.one()], Vec::new()),
+            Drive::Quasistatic => (vec![meeting.one()], (Vec::new(), Vec::new())),
         };
         let counted = || active.iter().map(there).filter(|member| member.counted);
         let mut elements_of_level = vec![0; beats.len()];
@@ -340,6 +342,7 @@ impl Phase {
             leaders,
             beats,
             borders,
+            pushes,
             ours: None,
         }))
     }
@@ -421,6 +424,12 @@ fn sources(assembly: &Assembly, active: &[u32], master: &[u32]) -> (Vec<u32>, Ve
 }
 
 impl Phase {
+    /// What pushes a node between its own times.
+    #[inline(always)]
+    pub fn pushes(&self, border: &Border) -> &[Push] {
+        &self.pushes[border.pushes.start as usize..border.pushes.end as usize]
+    }
+
     /// Whether each of the user's elements is there, on this rank or another.
     pub fn stands(&self, model: &Model, assembly: &Assembly) -> Vec<bool> {
         let mut stands = vec![false; model.user.elements];

@@ -16,17 +16,21 @@ pub use words::{Tree, Words};
 
 use crate::assembly::{Assembly, Slices};
 use crate::division::Division;
-use crate::exchange::{Exchange, Halo, To};
+use crate::exchange::{Exchange, Halo, To, room};
 use crate::model::Model;
 use crate::parts::UNKNOWN;
 use crate::phase::Phase;
 use crate::phase::ours::{Slots, WIDTH};
+use crate::soon::soon;
 use crate::state::State;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 use tremolite_kernels::Line;
 use tremolite_laws::Row;
+
+/// So many contributions before they are sent they are asked for: they lie wherever their parts have left them.
+const SENT_AHEAD: usize = 16;
 
 /// A rank, and how the model is shared out among all.
 pub struct Ranks {
@@ -93,29 +97,36 @@ impl Ranks {
 
     /// Sends numbers, and waits for others.
     pub fn halo(&self, halo: &Halo, words: &[f64]) -> Vec<f64> {
-        self.exchange.start(halo, words);
-        let mut received = vec![0.0; halo.words()[1]];
-        self.exchange.finish(halo, &mut received);
-        received
+        let mut words = words.to_vec();
+        self.exchange.start(halo, &mut words);
+        self.exchange.finish(halo, &mut words);
+        words.truncate(halo.words()[1]);
+        words
     }
 
     /// Begins to exchange contributions.
     pub(crate) fn start(&self, slots: &Slots, contributions: &[Row]) {
         let mut words = self.room();
-        words.clear();
-        slots.send.iter().for_each(|&slot| words.extend_from_slice(&contributions[slot as usize].0[..WIDTH]));
-        self.exchange.start(&slots.halo, &words);
-        self.tally.sent(words.len());
+        let count = WIDTH * slots.send.len();
+        let own = room(&mut words, count).as_chunks_mut::<WIDTH>().0;
+        for ((k, &slot), word) in slots.send.iter().enumerate().zip(own) {
+            if let Some(&later) = slots.send.get(k + SENT_AHEAD) {
+                soon(contributions, later as usize);
+            }
+            let [x, y, z, _] = contributions[slot as usize].0;
+            *word = [x, y, z];
+        }
+        self.exchange.start(&slots.halo, &mut words);
+        self.tally.sent(count);
     }
 
     /// Waits for those of others.
     pub(crate) fn finish(&self, slots: &Slots, contributions: &mut [Row]) {
         let begin = Instant::now();
         let mut words = self.room();
-        words.resize(WIDTH * slots.receive.len(), 0.0);
         self.exchange.finish(&slots.halo, &mut words);
-        for (&slot, row) in slots.receive.iter().zip(words.chunks_exact(WIDTH)) {
-            contributions[slot as usize] = Row::new([row[0], row[1], row[2]]);
+        for (&slot, word) in slots.receive.iter().zip(words.as_chunks::<WIDTH>().0) {
+            contributions[slot as usize] = Row::new(*word);
         }
         self.tally.waited(begin.elapsed());
     }

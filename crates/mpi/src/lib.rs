@@ -99,12 +99,12 @@ impl Exchange for World {
         self.ranks
     }
 
-    fn start(&self, halo: &Halo, words: &[f64]) {
+    fn start(&self, halo: &Halo, words: &mut Vec<f64>) {
         self.messages().start(halo, words);
     }
 
-    fn finish(&self, halo: &Halo, words: &mut [f64]) {
-        self.messages().finish(halo, words);
+    fn finish(&self, _: &Halo, words: &mut Vec<f64>) {
+        self.messages().finish(words);
     }
 
     fn gather(&self, own: &[f64], counts: &[usize], to: To) -> Vec<f64> {

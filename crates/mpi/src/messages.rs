@@ -2,7 +2,7 @@
 
 use mpi::ffi;
 use std::ffi::c_int;
-use tremolite_engine::exchange::{Halo, To};
+use tremolite_engine::exchange::{Halo, To, room};
 
 /// Numbers of one message at most: MPI counts by 32 bits.
 const MOST: usize = 1 << 27;
@@ -27,11 +27,12 @@ fn pieces(range: &std::ops::Range<usize>) -> impl Iterator<Item = (usize, c_int)
 const TAG: c_int = 32;
 
 impl Messages {
-    pub fn start(&mut self, halo: &Halo, words: &[f64]) {
+    pub fn start(&mut self, halo: &Halo, words: &mut Vec<f64>) {
         let [send, receive] = halo.words();
-        self.out.clear();
-        self.out.extend_from_slice(&words[..send]);
-        self.into.resize(receive, 0.0);
+        // Nothing is copied: the memory changes hands.
+        std::mem::swap(&mut self.out, words);
+        assert!(self.out.len() >= send, "as many numbers as are sent");
+        room(&mut self.into, receive);
         self.requests.clear();
         for (from, range) in &halo.receive {
             for (at, count) in pieces(range) {
@@ -75,7 +76,7 @@ impl Messages {
         }
     }
 
-    pub fn finish(&mut self, halo: &Halo, words: &mut [f64]) {
+    pub fn finish(&mut self, words: &mut Vec<f64>) {
         let count = self.requests.len();
         let mut statuses: Vec<ffi::MPI_Status> = Vec::with_capacity(count);
         // SAFETY: there is room for a status of each request, all of which were begun in `start`.
@@ -83,8 +84,7 @@ impl Messages {
             ffi::MPI_Waitall(count as c_int, self.requests.as_mut_ptr(), statuses.as_mut_ptr());
         }
         self.requests.clear();
-        let received = halo.words()[1];
-        words[..received].copy_from_slice(&self.into[..received]);
+        std::mem::swap(&mut self.into, words);
     }
 
     /// By collective calls as long as MPI can count what there is; else piece by piece.
@@ -147,13 +147,16 @@ impl Messages {
                     ffi::MPI_Bcast(into, count, ffi::RSMPI_DOUBLE, from as c_int, world);
                 }),
                 To::First if from > 0 && from == rank => {
-                    self.start(&Halo { send: vec![(0, 0..count)], receive: Vec::new() }, own);
-                    self.finish(&Halo::default(), &mut []);
+                    let halo = Halo { send: vec![(0, 0..count)], receive: Vec::new() };
+                    self.start(&halo, &mut own.to_vec());
+                    self.finish(&mut Vec::new());
                 }
                 To::First if from > 0 && rank == 0 => {
                     let halo = Halo { send: Vec::new(), receive: vec![(from, 0..count)] };
-                    self.start(&halo, &[]);
-                    self.finish(&halo, &mut all[range]);
+                    let mut words = Vec::new();
+                    self.start(&halo, &mut words);
+                    self.finish(&mut words);
+                    all[range].copy_from_slice(&words[..count]);
                 }
                 To::First => {}
             }

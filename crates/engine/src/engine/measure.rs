@@ -141,7 +141,7 @@ impl Measuring<'_> {
                 sums.book(&step, du);
                 accounts.book(node, force, du);
                 if let Some(border) = borders.take(node) {
-                    sums.levels += border.meet(contributions, steps, state.du[node], accounts.sums());
+                    sums.levels += border.meet(phase, contributions, steps, state.du[node], accounts.sums());
                 }
             }
             *velocity = step.velocity;

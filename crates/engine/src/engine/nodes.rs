@@ -9,6 +9,7 @@ use crate::model::Model;
 use crate::phase::Phase;
 use crate::phase::beats::{Beat, Border, Drifting, span};
 use crate::phase::passes::{Pass, Turn};
+use crate::soon::soon;
 use crate::state::{OF_NODES, State};
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -246,6 +247,9 @@ pub fn advance(
 /// Nodes that a thread lets drift together.
 const DRIFTING: usize = 512;
 
+/// So many drifting nodes before their turn, what they need is asked for.
+const DRIFT_AHEAD: usize = 8;
+
 /// Lets nodes between their own times go on, and books what finer parts take of it. `books` are those of all blocks, so many numbers
 /// each.
 fn drift(
@@ -264,14 +268,20 @@ fn drift(
     let mut jobs: Vec<_> = beat.drifting.iter().zip(rows).zip(books).collect();
     let one = |((drifting, u), books): &mut ((&Drifting, &mut [Row]), &mut [f64])| {
         let (of_nodes, of_accounts) = books.split_at_mut(OF_NODES);
-        for border in &phase.borders[drifting.borders.clone()] {
+        let borders = &phase.borders[drifting.borders.clone()];
+        for (k, border) in borders.iter().enumerate() {
+            if let Some(later) = borders.get(k + DRIFT_AHEAD) {
+                soon(du, later.node as usize);
+                soon(u, later.node as usize - drifting.nodes.start);
+                phase.pushes(later).iter().for_each(|push| soon(contributions, push.slot as usize));
+            }
             let du = &du[border.node as usize];
             let u = &mut u[border.node as usize - drifting.nodes.start];
             (0..4).for_each(|i| u.0[i] += du.0[i]);
             if !border.counts {
                 continue;
             }
-            for push in border.pushes.iter().filter(|push| push.level <= beat.coarsest) {
+            for push in phase.pushes(border).iter().filter(|push| push.level <= beat.coarsest) {
                 let work = span(push.level) as f64 * dot(contributions[push.slot as usize], *du);
                 of_nodes[LEVELS] -= work;
                 if let Some(account) = of_accounts.get_mut(push.account as usize) {
@@ -320,13 +330,14 @@ impl Border {
     /// half of it over `twice`, its increments a step of the finest level before and after. Booked on accounts, and left.
     pub(super) fn meet(
         &self,
+        phase: &Phase,
         contributions: &[Row],
         span_of_node: f64,
         twice: Row,
         accounts: &mut [f64],
     ) -> f64 {
         let mut taken = 0.0;
-        for push in &self.pushes {
+        for push in phase.pushes(self) {
             let longer = span_of_node - span(push.level) as f64;
             let work = -0.5 * longer * dot(contributions[push.slot as usize], twice);
             taken -= work;
@@ -447,7 +458,7 @@ impl Advance<'_> {
                 accounts.book(node, force, twice);
                 if let Some(border) = border {
                     let twice = Row(twice.0.map(|d| d * inverse_steps));
-                    sums.levels += border.meet(contributions, steps, twice, accounts.sums());
+                    sums.levels += border.meet(phase, contributions, steps, twice, accounts.sums());
                 }
             }
             // Others are not asked for before the end of their step.

@@ -39,10 +39,10 @@ pub struct Border {
     pub node: u32,
     /// Its level, at least 1.
     pub level: u8,
-    /// Whether it is the model's own, so that work on it is in the balance.
+    /// Whether it is the model's own, so that work on it is in the balance; on one of several ranks, whether that rank books it.
     pub counts: bool,
-    /// Contributions of such parts.
-    pub pushes: Vec<Push>,
+    /// Which of [`Phase::pushes`](crate::Phase::pushes) are contributions of such parts to it.
+    pub pushes: Range<u32>,
 }
 
 /// A contribution of a part with shorter steps than the node that it pushes.
@@ -76,12 +76,12 @@ pub struct Meeting<'a> {
 }
 
 impl Meeting<'_> {
-    /// Nodes that drift, ascending.
-    pub fn borders(&self) -> Vec<Border> {
+    /// Nodes that drift, ascending, and what pushes them meanwhile.
+    pub fn borders(&self) -> (Vec<Border>, Vec<Push>) {
         let Meeting { model, assembly, active, master, start, slot, slot_account, tied, .. } = self;
         let level = &model.nodes.level;
         if model.nodes.coarsest() == 0 {
-            return Vec::new();
+            return (Vec::new(), Vec::new());
         }
         let mut drifts = vec![false; level.len()];
         // Whose each contribution is.
@@ -102,16 +102,20 @@ impl Meeting<'_> {
         for &(node, of) in *tied {
             drifts[node as usize] = drifts[of as usize];
         }
+        let mut all = Vec::new();
         let border = |n: usize| {
+            let first = all.len() as u32;
             let pushes = (start[n] as usize..start[n + 1] as usize).map(|at| Push {
                 slot: slot[at],
                 level: of_slot[slot[at] as usize],
                 account: slot_account[at],
             });
-            let pushes = pushes.filter(|push| push.level < level[n]).collect();
+            all.extend(pushes.filter(|push| push.level < level[n]));
+            let pushes = first..all.len() as u32;
             Border { node: n as u32, level: level[n], counts: model.nodes.counts(n), pushes }
         };
-        (0..level.len()).filter(|&n| drifts[n]).map(border).collect()
+        let borders = (0..level.len()).filter(|&n| drifts[n]).map(border).collect();
+        (borders, all)
     }
 
     /// What takes part in every step where there is one level.

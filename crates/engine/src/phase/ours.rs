@@ -4,6 +4,7 @@
 //! So several ranks move the same node, to the same bits, since each adds up the same contributions in the order of parts; and one
 //! message a step does, of the single contributions that others need. Sums of contributions would not do: they would be other bits.
 
+use super::beats::{Border, Drifting};
 use super::{Beat, ElementSlot, Phase};
 use crate::assembly::Assembly;
 use crate::division::Division;
@@ -71,16 +72,35 @@ impl Phase {
             .collect();
         let mut has = vec![false; model.nodes.blocks.len()];
         blocks.iter().for_each(|&b| has[b as usize] = true);
+        // What drifts elsewhere is left out, and what drifts here as well as elsewhere is booked once.
+        let mut borders = Vec::new();
+        let mut before = vec![0];
+        for border in &self.borders {
+            let n = border.node as usize;
+            if holds[n] {
+                let block = model.nodes.blocks.partition_point(|block| block.nodes.end <= n);
+                let counts = border.counts && division.of_block[block] == rank;
+                borders.push(Border { counts, ..border.clone() });
+            }
+            before.push(borders.len());
+        }
+        let drifting = |beat: &Beat| {
+            let own = beat.drifting.iter().map(|one| Drifting {
+                borders: before[one.borders.start]..before[one.borders.end],
+                ..one.clone()
+            });
+            own.filter(|one| !one.borders.is_empty()).collect()
+        };
         let beats: Vec<Beat> = self
             .beats
             .iter()
             .map(|beat| Beat {
                 coarsest: beat.coarsest,
                 active: beat.active.iter().copied().filter(|&m| of(m) == rank).collect(),
-                passes: beat.passes.iter().map(|pass| pass.of(|turn| has[turn.block])).collect(),
+                passes: beat.passes.iter().map(|pass| pass.of_rank(&has, &division.of_block, rank)).collect(),
                 given: beat.given.clone(),
                 tied: beat.tied.iter().copied().filter(|&(node, _)| holds[node as usize]).collect(),
-                drifting: beat.drifting.iter().filter(|drifting| has[drifting.block]).cloned().collect(),
+                drifting: drifting(beat),
             })
             .collect();
         let mut of_slot = vec![NOBODY; assembly.totals().contributions.end];
@@ -120,13 +140,13 @@ impl Phase {
             start.push(slot.len() as u32);
         }
         slot.iter_mut().for_each(now);
-        let mut borders = self.borders.clone();
-        borders.iter_mut().flat_map(|border| &mut border.pushes).for_each(|push| now(&mut push.slot));
+        let mut pushes = self.pushes.clone();
+        pushes.iter_mut().for_each(|push| now(&mut push.slot));
         let ours = Ours { members, holds, blocks, halos, received };
         let element_slot =
             self.element_slot.iter().map(|slot| held(slot.as_ref()?, assembly, division, rank));
         let element_slot = element_slot.collect();
-        Phase { beats, start, slot, slot_account, borders, element_slot, ours: Some(ours), ..self.clone() }
+        Phase { beats, start, slot, slot_account, borders, pushes, element_slot, ours: Some(ours), ..self.clone() }
     }
 
     /// Room for the contributions of all parts; on a rank for its own, for those that it receives, and one that is not a number for all
@@ -165,7 +185,7 @@ impl Phase {
         for border in self.borders.iter().filter(|border| border.counts) {
             let n = border.node as usize;
             let block = model.nodes.blocks.partition_point(|block| block.nodes.end <= n);
-            for push in &border.pushes {
+            for push in self.pushes(border) {
                 send(push.slot, division.of_block[block], share(push.level) - share(border.level));
             }
         }
@@ -274,7 +294,7 @@ impl Whole<'_> {
         }
         for drifting in &beat.drifting {
             for border in phase.borders[drifting.borders.clone()].iter().filter(|border| border.counts) {
-                let pushes = border.pushes.iter().filter(|push| push.level <= beat.coarsest);
+                let pushes = phase.pushes(border).iter().filter(|push| push.level <= beat.coarsest);
                 pushes.for_each(|push| pass(push.slot, division.of_block[drifting.block]));
             }
         }

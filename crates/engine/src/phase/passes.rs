@@ -12,7 +12,7 @@ pub struct Turn {
     /// Its number among the model's.
     pub block: usize,
     pub nodes: Range<usize>,
-    /// Whether its nodes are the model's own, so that their energy is in the balance.
+    /// Whether its nodes are the model's own, so that their energy is in the balance; on one of several ranks, whether that rank books it.
     pub counts: bool,
     /// The level of its nodes.
     pub level: u8,
@@ -47,6 +47,13 @@ impl Pass {
     pub fn of(&self, wanted: impl Fn(&Turn) -> bool) -> Self {
         let mut pass = Pass::default();
         self.turns.iter().filter(|turn| wanted(turn)).for_each(|turn| pass.push(turn.clone()));
+        pass
+    }
+
+    /// Its blocks of which a rank has nodes (`has`, by block), whose energy is booked by the rank that the block is of alone.
+    pub fn of_rank(&self, has: &[bool], of_block: &[u32], rank: u32) -> Self {
+        let mut pass = self.of(|turn| has[turn.block]);
+        pass.turns.iter_mut().for_each(|turn| turn.counts &= of_block[turn.block] == rank);
         pass
     }
 

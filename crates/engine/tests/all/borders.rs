@@ -48,7 +48,7 @@ fn what_a_finer_part_pushes_or_reads_drifts_and_is_pushed_by_that_part_alone() {
         assert_eq!(found, drifting);
         let own = |border: &tremolite_engine::phase::beats::Border| {
             assert_eq!(border.level, level(border.node));
-            border.pushes.iter().map(|push| (border.node, push.slot, push.level)).collect::<Vec<_>>()
+            phase.pushes(border).iter().map(|push| (border.node, push.slot, push.level)).collect::<Vec<_>>()
         };
         let found: BTreeSet<_> = phase.borders.iter().flat_map(own).collect();
         assert!(found == pushes && pushes.len() > 100, "{} {}", found.len(), pushes.len());
