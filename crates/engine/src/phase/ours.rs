@@ -146,7 +146,17 @@ impl Phase {
         let element_slot =
             self.element_slot.iter().map(|slot| held(slot.as_ref()?, assembly, division, rank));
         let element_slot = element_slot.collect();
-        Phase { beats, start, slot, slot_account, borders, pushes, element_slot, ours: Some(ours), ..self.clone() }
+        Phase {
+            beats,
+            start,
+            slot,
+            slot_account,
+            borders,
+            pushes,
+            element_slot,
+            ours: Some(ours),
+            ..self.clone()
+        }
     }
 
     /// Room for the contributions of all parts; on a rank for its own, for those that it receives, and one that is not a number for all
