@@ -3,7 +3,7 @@
 
     docs/performance/rates.py [--program PROGRAM] [--drawn]
 
-Takes ten minutes on two cores, which should do nothing else. What was measured is kept in rates.json beside this file; with `--drawn` nothing is measured and the charts
+Takes five minutes on two cores, which should do nothing else. What was measured is kept in rates.json beside this file; with `--drawn` nothing is measured and the charts
 are drawn from it. Rates of other machines are given there by hand. Needs Python alone.
 """
 
