@@ -72,6 +72,14 @@ pub fn stations(mesh: &Mesh, elements: &[u32], standing: &[bool]) -> Vec<Station
     stations.into_iter().map(|(station, _)| station).collect()
 }
 
+/// Whether a shell bends round x, as a cavern's along x does: its normals lead along y and z, and hardly along x. Where all lead one way, as a
+/// plate's, or along x as well, as a dome's and a shaft's, nothing is known.
+pub fn runs_along_x(stations: &[Station]) -> bool {
+    let [x, y, z] = [0, 1, 2].map(|i| stations.iter().map(|s| s.area() * s.normal[i].powi(2)).sum::<f64>());
+    let all = x + y + z;
+    y > 3.0 * x && y > 0.02 * all && z > 0.02 * all
+}
+
 /// Middle of the extent of elements.
 fn middle(mesh: &Mesh, elements: &[u32]) -> [f64; 3] {
     let nodes = || elements.iter().flat_map(|&e| mesh.elements[e as usize].nodes());

@@ -254,3 +254,37 @@ fn a_box_that_is_turned_back_moves_as_the_straight_one_between_free_field_sides(
     }
     assert!(peak > 1e-3, "something moved: {peak}");
 }
+
+/// A hall from a file, along y or turned to run along x: then what is called across and along is the wrong way round, which bars in
+/// particular must not be without a word.
+#[test]
+fn a_lining_that_runs_along_x_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let made = tremolite(folder.path(), &["new", "hall"]);
+    assert!(made.status.success(), "{}", errors(&made));
+    let folder = &folder.path().join("hall");
+    let made = tremolite(folder, &["mesh", "cavern", "case.toml", "--out", "hall.msh"]);
+    assert!(made.status.success(), "{}", errors(&made));
+    let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+    let (before, rest) = text.split_once("[mesh.caverns]").unwrap();
+    let (_, rest) = rest.split_once("[material.rock]").unwrap();
+    let bars = "[[reinforcement]]\non = [\"hall.lining\"]\narea = \"1570 mm2/m\"\ncover = \"5 cm\"\ndirection = \"across\"\nyield = \"400 MPa\"\n";
+    let case = |file: &str, sides: &str, more: &str| {
+        let rest = rest.replace("at   = \"hall.crown\"", "at = [\"0 m\", \"0 m\", \"-60 m\"]");
+        let rest = rest.replace("at   = \"hall.wall.left\"", "at = [\"0 m\", \"0 m\", \"-60 m\"]");
+        let rest = rest.replace("{ x = \"free-field\", y = \"periodic\" }", sides);
+        let rest = rest.replacen("[[stage]]", &format!("{more}[[stage]]"), 1);
+        let text = format!("{before}[mesh.file]\npath = \"hall.msh\"\n{file}\n[material.rock]{rest}");
+        std::fs::write(folder.join("case.toml"), text).unwrap();
+        let check = tremolite(folder, &["check", "case.toml"]);
+        assert_eq!(check.status.code(), Some(0), "{}", errors(&check));
+        errors(&check)
+    };
+    let turned = ("rotate = \"90 deg\"", "{ y = \"free-field\", x = \"periodic\" }");
+    let told = "bends round x";
+    let said = case(turned.0, turned.1, bars);
+    assert!(said.contains(told) && said.contains("rotate = \"90 deg\""), "{said}");
+    assert!(!case("", "{ x = \"free-field\", y = \"periodic\" }", bars).contains(told));
+    // Nothing is called across or along.
+    assert!(!case(turned.0, turned.1, "").contains(told));
+}

@@ -1,4 +1,4 @@
-use super::{Station, forces, middle, place, stations};
+use super::{Station, forces, middle, place, runs_along_x, stations};
 use std::f64::consts::TAU;
 use tremolite_laws::shapes::hex8::{Layers, Points, Quadrature};
 use tremolite_mesh::boxes::{Axis, BoxSpec};
@@ -206,6 +206,22 @@ fn lame([x, _, z]: [f64; 3]) -> Stress {
         [0.0, 0.3 * 2.0 * a, 0.0],
         [both, 0.0, mean + half * (cos - sin)],
     ]
+}
+
+#[test]
+fn a_ring_along_x_is_known_from_one_along_y_and_from_a_plate_a_shaft_and_one_between() {
+    let along = |turn: &dyn Fn([f64; 3]) -> [f64; 3]| {
+        let mut mesh = ring(24);
+        mesh.nodes.iter_mut().for_each(|x| *x = turn(*x));
+        let all: Vec<u32> = (0..mesh.elements.len() as u32).collect();
+        runs_along_x(&stations(&mesh, &all, &vec![true; all.len()]))
+    };
+    assert!(along(&|[x, y, z]| [-y, x, z]), "along x");
+    assert!(!along(&|x| x), "along y");
+    assert!(!along(&|[x, y, z]| [x, -z, y]), "a shaft");
+    assert!(!along(&|[x, y, z]| [(x - y) / 2f64.sqrt(), (x + y) / 2f64.sqrt(), z]), "between");
+    let (mesh, plate) = plate(2);
+    assert!(!runs_along_x(&stations(&mesh, &plate, &standing(&mesh, &plate))), "a plate");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What is unusual about a case though it can be run.
 
 use crate::quantities::Field;
+use crate::sections::{runs_along_x, stations};
 use crate::stacks::stacks;
 use crate::trust::{DRIFT, LEAST_AT_CORNERS, typical_extent};
 use tremolite_case::{self as case, Case};
@@ -154,6 +155,35 @@ pub fn of_single_layers(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body
                     body.name
                 ),
                 "write element = \"layered\" for it",
+            )
+        })
+        .collect()
+}
+
+/// Linings of caverns that run along x, whose bars, section forces or cracks are named by y as the axis.
+pub fn of_axes(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body]) -> Vec<case::Diagnostic> {
+    let on = || case.reinforcement.iter().flat_map(|r| &r.on).chain(case.sections.iter().flat_map(|s| &s.on));
+    let groups = mesh.groups.iter().filter(|(name, _)| on().any(|on| case::pattern::matches(on, name)));
+    let mut named = vec![false; mesh.elements.len()];
+    groups.flat_map(|(_, elements)| elements).for_each(|&e| named[e as usize] = true);
+    let cracks = |body: &Body| position(body.material.info().history, Role::TensionDamage).is_some();
+    // Which side is the inner one does not matter here.
+    let standing = vec![false; mesh.elements.len()];
+    let regions = case.regions.iter().filter(|r| matches!(r.fill, case::Fill::Solid { .. }));
+    regions
+        .zip(bodies)
+        .filter(|(_, body)| cracks(body) || body.elements.iter().any(|&e| named[e as usize]))
+        .filter(|(_, body)| runs_along_x(&stations(mesh, &body.elements, &standing)))
+        .map(|(region, body)| {
+            case::Diagnostic::new(
+                region.span.clone(),
+                format!(
+                    "'{}' bends round x, as the lining of a cavern along x does. Caverns are taken to run along y: what is called \
+                     across or round, of bars, section forces and cracks, leads along this one",
+                    body.name
+                ),
+                "turn the mesh so that the cavern runs along y: mesh.file.rotate = \"90 deg\", with sides, points, motion and \
+                 model_x_azimuth in the axes after it; or ask for bars the other way, and read the names so",
             )
         })
         .collect()
