@@ -175,11 +175,20 @@ fn changed(study: &StudyFile, case: &Case, changes: &[Placed], laws: Laws<'_>) -
         };
         let problems = report.problems.iter().map(|p| match place(p) {
             Some((set, at)) => Diagnostic::new(at, format!("{}, of `{set}`", p.message), p.remedy.clone()),
-            // What the file says can be wrong because of a change elsewhere.
+            // What the file says can be wrong because of a change elsewhere: the first without which it is not.
             None => {
-                let line = report.position(p).0;
-                let message = format!("{}, in line {line} of {}", p.message, report.file.display());
-                Diagnostic::new(changes[0].at.clone(), message, p.remedy.clone())
+                let wrong_without = |k: usize| {
+                    let mut others = only.clone();
+                    others.remove(k);
+                    let left = case.parse_with(&others, laws).err();
+                    left.is_some_and(|left| left.problems.iter().any(|other| other.message == p.message))
+                };
+                let change =
+                    (0..changes.len()).find(|&k| !wrong_without(k)).map_or(&changes[0], |k| &changes[k]);
+                let (line, given) = (report.position(p).0, &change.change.given);
+                let message =
+                    format!("{}, in line {line} of {}, with `{given}`", p.message, report.file.display());
+                Diagnostic::new(change.at.clone(), message, p.remedy.clone())
             }
         });
         study.report(problems.collect())

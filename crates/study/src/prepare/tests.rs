@@ -101,6 +101,18 @@ fn a_value_that_the_case_refuses_is_told_at_its_line_of_the_study() {
     assert!(told.contains("study.toml:4") && told.contains("material.rock.poisson = 0.6"), "{told}");
 }
 
+/// Where a change makes a line of the case wrong that it does not touch, it is named, and not the first that the study has.
+#[test]
+fn what_a_change_makes_wrong_elsewhere_is_told_at_the_change() {
+    let (_folder, study) = study(
+        "[set]\n\"material.rock.density\" = \"2600 kg/m3\"\n\"material.rock.law\" = \"mohr-coulomb\"\n\"material.rock.young\" = \"3 GPa\"\n",
+    );
+    let told = base(&study, laws()).expect_err("without cohesion").to_string();
+    assert!(told.contains("study.toml:5:") && told.contains("in line 7 of"), "{told}");
+    assert!(told.contains("with `material.rock.law = \"mohr-coulomb\"`"), "{told}");
+    assert!(!told.contains("study.toml:4:"), "{told}");
+}
+
 #[test]
 fn files_that_are_not_there_are_told() {
     let (_folder, gone) = study("[[record]]\nname = \"a\"\neast = { file = \"../records/b.txt\" }\n");
