@@ -59,7 +59,7 @@ pub use boundary::bed::{Bed, Footing};
 pub use boundary::{Base, Side, Top};
 pub use bytes::Bytes;
 pub use division::Division;
-pub use engine::{ContactLimit, Engine, Halt, Limit, Snapshot, StableStep, stable_step};
+pub use engine::{ContactLimit, Engine, Found, Halt, Limit, Snapshot, StableStep, stable_step};
 pub use error::ModelError;
 pub use exchange::{Alone, Exchange, Loopback};
 pub use free_field::Incident;

@@ -14,6 +14,8 @@ pub struct Ledger {
     /// time to the next and of what was held at the start: what the guard measures against.
     pub put_in: f64,
     pub supplied: f64,
+    /// What was stored at rest and came free, at most, where the guard looked for it.
+    pub freed: f64,
     /// By account ([`crate::Assembly::accounts`]): what its elements held and had lost at the start.
     pub bodies: Vec<f64>,
     /// What each account held and had lost when the shaking began from rest under load.
@@ -179,10 +181,10 @@ impl State {
             moved,
             carried,
             carried_hourglass,
-            ledger: Ledger { lines, put_in, supplied, bodies, rest, members, blocks },
+            ledger: Ledger { lines, put_in, supplied, freed: came_free, bodies, rest, members, blocks },
             observers,
         } = self;
-        let ledger = lines.values_mut().chain([put_in, supplied]).collect();
+        let ledger = lines.values_mut().chain([put_in, supplied, came_free]).collect();
         let members = members.iter_mut().flat_map(Lines::values_mut).collect();
         let rest = rest.iter_mut().flat_map(Lines::values_mut).collect();
         let mut columns = vec![

@@ -4,8 +4,8 @@ use crate::evidence::Evidence;
 use crate::phrases::{listed, sentences};
 use crate::simulation::Ending;
 use indexmap::IndexMap;
-use tremolite_engine::Halt;
 use tremolite_engine::engine::Relaxed;
+use tremolite_engine::{Found, Halt};
 use tremolite_kernels::Line;
 use tremolite_results::{GroupStress, Said, TrustLine, said};
 
@@ -59,15 +59,27 @@ fn in_good_order(evidence: &Evidence) -> Said {
 /// Why a run was ended whose energy grew out of nothing, of which laws of materials created so much \[J\].
 fn failed(halt: &Halt, place: &Said, time: f64, created: f64) -> Vec<Said> {
     let (time, joule) = (format!("{time:.4}"), |x: &f64| format!("{x:.3e}"));
-    let Halt { found, supplied, .. } = halt;
-    let why = match found.is_finite() {
-        true => said!(
-            "The run became unstable and was stopped at {time} s: its energy balance is off by {energy} J where {supplied} J were supplied.",
+    let Halt { what, found, supplied, .. } = halt;
+    let why = match (found.is_finite(), what) {
+        (true, Found::Held) => said!(
+            "The run became unstable and was stopped at {time} s: what moves and what is deformed hold {energy} J more than at rest where {supplied} J were supplied.",
             time = time,
             energy = joule(found),
             supplied = joule(supplied),
         ),
-        false => {
+        (true, Found::InNoLine) => said!(
+            "The run became unstable and was stopped at {time} s: {energy} J are in no line of its energy balance where {supplied} J were supplied.",
+            time = time,
+            energy = joule(found),
+            supplied = joule(supplied),
+        ),
+        (true, Found::AtLevels) => said!(
+            "The run became unstable and was stopped at {time} s: the borders of the levels of steps gave {energy} J where {supplied} J were supplied.",
+            time = time,
+            energy = joule(found),
+            supplied = joule(supplied),
+        ),
+        (false, _) => {
             said!("The run became unstable and was stopped at {time} s: its motion overflowed.", time = time,)
         }
     };
@@ -191,12 +203,12 @@ fn stresses(stress: &IndexMap<String, GroupStress>, alone: bool) -> Option<Said>
 #[cfg(test)]
 mod tests {
     use super::failed;
-    use tremolite_engine::Halt;
+    use tremolite_engine::{Found, Halt};
     use tremolite_results::Said;
 
     #[test]
     fn the_remedy_is_for_what_made_the_energy() {
-        let halt = Halt { found: 4e10, supplied: 1e10, step: 9, time: 1.0 };
+        let halt = Halt { what: Found::Held, found: 4e10, supplied: 1e10, step: 9, time: 1.0 };
         let told = |created| {
             let told = failed(&halt, &Said::plain("element 7"), 1.0, created);
             told.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")

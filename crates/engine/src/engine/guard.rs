@@ -3,15 +3,28 @@
 use super::{Engine, Snapshot};
 use crate::model::Model;
 use crate::phase::Phase;
-use crate::state::State;
+use crate::ranks::Wanted;
+use crate::state::{Ledger, State};
 use crate::sums::over_nodes;
 use std::ops::Range;
 use tremolite_kernels::Line;
 
+/// Where the guard finds more energy than it can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// In the motion, and in what elements and joints store beyond what they did at rest.
+    Held,
+    /// In no line of the balance.
+    InNoLine,
+    /// Given where levels of steps meet.
+    AtLevels,
+}
+
 /// Why a run cannot go on: far more energy is found than was ever supplied, or numbers are not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Halt {
-    /// Held by motion and elements, or else what is found beyond what was put in \[J\].
+    pub what: Found,
+    /// How much of it \[J\].
     pub found: f64,
     /// J
     pub supplied: f64,
@@ -58,19 +71,37 @@ impl Engine {
         state.steps().is_multiple_of(EVERY)
     }
 
-    /// Whether a run may go on from a state that the guard [watches](Engine::watches): its motion has less than three times all
-    /// energy supplied. What is unstable at a few nodes grows within a few steps, while little was supplied; later it may be no
-    /// more than a strong earthquake brings.
+    /// Whether a run may go on from a state that the guard [watches](Engine::watches), by its motion alone: that has less than three
+    /// times all energy supplied and what came free of what was stored at rest. What is unstable at a few nodes grows within a few
+    /// steps, while little was supplied; later it may be no more than a strong earthquake brings.
     ///
     /// # Errors
-    /// The halt, if not.
+    /// The halt, if not. A joint or concrete that breaks under the load at rest frees what it stored, and more than was supplied yet:
+    /// [`Engine::watch_or_look`] tells the two apart.
     pub fn watch(&self, state: &State) -> Result<(), Halt> {
-        let (found, supplied) = (self.kinetic(state), state.ledger.supplied);
+        let (found, &Ledger { supplied, freed, .. }) = (self.kinetic(state), &state.ledger);
         // Written so that what is not a number halts as well.
-        match found <= GUARD * (supplied + self.noise) {
+        match found <= GUARD * (supplied + self.noise + freed) {
             true => Ok(()),
-            false => Err(Halt { found, supplied, step: state.steps(), time: state.time() }),
+            false => {
+                Err(Halt { what: Found::Held, found, supplied, step: state.steps(), time: state.time() })
+            }
         }
+    }
+
+    /// The same, where too much motion is held against the [whole balance](Engine::guard) before it halts a run: what elements and
+    /// joints store less than at rest may be in it. That is remembered, so that such a look is seldom needed.
+    ///
+    /// # Errors
+    /// The halt that the balance tells.
+    pub fn watch_or_look(&mut self, state: &mut State) -> Result<(), Halt> {
+        if self.watch(state).is_ok() {
+            return Ok(());
+        }
+        let seen = self.look_at(state, &Wanted::default()).snapshot;
+        self.guard(&seen)?;
+        state.ledger.freed = state.ledger.freed.max(self.kinetic(state) - seen.held);
+        Ok(())
     }
 
     /// Whether a run may go on from what is seen: less than three times all energy supplied is held, and no more than that is in no
@@ -82,14 +113,14 @@ impl Engine {
     pub fn guard(&self, seen: &Snapshot) -> Result<(), Halt> {
         let &Snapshot { held, supplied, step, time, scheme, ref balance, .. } = seen;
         let known = supplied + self.noise;
-        let halt = |found| Err(Halt { found, supplied, step, time });
+        let halt = |what, found| Err(Halt { what, found, supplied, step, time });
         let (unknown, at_borders) = (balance[Line::Error] - scheme, -balance[Line::Levels]);
         // Written so that what is not a number halts as well.
         match (held <= GUARD * known, unknown <= known, at_borders <= known) {
             (true, true, true) => Ok(()),
-            (false, ..) => halt(held),
-            (true, false, _) => halt(unknown),
-            (true, true, false) => halt(at_borders),
+            (false, ..) => halt(Found::Held, held),
+            (true, false, _) => halt(Found::InNoLine, unknown),
+            (true, true, false) => halt(Found::AtLevels, at_borders),
         }
     }
 }

@@ -60,7 +60,7 @@ mod strained;
 mod take_over;
 
 pub use evaluated::{Evaluated, Look, See, Seen};
-pub use guard::Halt;
+pub use guard::{Found, Halt};
 pub use power::{ContactLimit, Limit, StableStep, stable_step, viscous_share};
 pub use proof::{Proof, TRIED, prove};
 pub use relax::{Relaxed, Release, Rest, Watch};

@@ -14,8 +14,16 @@ pub const TEXTS: Texts = &[
     ),
     ("The run was stopped at {time} s; go on with --resume.", "计算在 {time} s 被停止；可用 --resume 继续。"),
     (
-        "The run became unstable and was stopped at {time} s: its energy balance is off by {energy} J where {supplied} J were supplied.",
-        "计算失稳，在 {time} s 停止：发现能量 {energy} J，而输入的能量为 {supplied} J。",
+        "The run became unstable and was stopped at {time} s: what moves and what is deformed hold {energy} J more than at rest where {supplied} J were supplied.",
+        "计算失稳，在 {time} s 停止：动能与变形能比静止时多 {energy} J，而输入的能量仅为 {supplied} J。",
+    ),
+    (
+        "The run became unstable and was stopped at {time} s: {energy} J are in no line of its energy balance where {supplied} J were supplied.",
+        "计算失稳，在 {time} s 停止：能量平衡中有 {energy} J 不属于任何一项，而输入的能量为 {supplied} J。",
+    ),
+    (
+        "The run became unstable and was stopped at {time} s: the borders of the levels of steps gave {energy} J where {supplied} J were supplied.",
+        "计算失稳，在 {time} s 停止：各级时间步的交界处产生了 {energy} J，而输入的能量为 {supplied} J。",
     ),
     (
         "The run became unstable and was stopped at {time} s: its motion overflowed.",

@@ -223,7 +223,7 @@ impl Simulation {
         }
         shaking.held.get_or_insert_with(|| shaking.engine.bytes(&self.state));
         if shaking.engine.watches(&self.state)
-            && let Err(halt) = shaking.engine.watch(&self.state)
+            && let Err(halt) = shaking.engine.watch_or_look(&mut self.state)
         {
             let evaluated = shaking.engine.evaluate(std::mem::take(&mut self.state), See::Look);
             return Ok(self.fail(shaking, evaluated, halt));

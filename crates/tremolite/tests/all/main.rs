@@ -17,6 +17,7 @@ mod engine;
 mod free_field;
 mod free_field_file;
 mod ground;
+mod guard;
 mod held;
 mod history;
 mod hole;
