@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use realfft::RealFftPlanner;
+use crate::fourier;
 use realfft::num_complex::Complex64;
 
 use crate::matching::{Matched, nearest};
@@ -133,8 +133,7 @@ fn shaking(
         ));
     }
     let length = samples.next_power_of_two();
-    let mut planner = RealFftPlanner::<f64>::new();
-    let back = planner.plan_fft_inverse(length);
+    let back = fourier::inverse(length);
     // Periods somewhat beyond the band: oscillators at its ends see them as well.
     let [shortest, longest] = [from / 1.5, to * 1.5];
     let frequency = |k: usize| k as f64 / (length as f64 * dt);

@@ -1,6 +1,6 @@
 //! How high the frequencies of a motion reach.
 
-use realfft::RealFftPlanner;
+use crate::fourier;
 
 use crate::Motion;
 
@@ -28,7 +28,7 @@ pub fn frequency_below(signals: &[Vec<f64>], dt: f64, share: f64) -> Option<f64>
     if count < 2 {
         return None;
     }
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(count);
+    let transform = fourier::forward(count);
     let mut energy = vec![0.0; count / 2 + 1];
     for signal in signals {
         let mut input = signal.clone();

@@ -36,6 +36,7 @@ mod baseline;
 mod butterworth;
 mod channel;
 mod error;
+mod fourier;
 mod frequency;
 mod geographic;
 mod integrate;

@@ -1,6 +1,6 @@
 //! A signal through a transfer function, in frequency.
 
-use realfft::RealFftPlanner;
+use crate::fourier;
 use realfft::num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ impl Lines {
     pub fn of(signal: &[f64], dt: f64) -> Option<Lines> {
         let count = signal.len() / 2 * 2;
         let mut wave = signal[..count].to_vec();
-        let forward = RealFftPlanner::<f64>::new().plan_fft_forward(count);
+        let forward = fourier::forward(count);
         let mut lines = forward.make_output_vec();
         forward.process(&mut wave, &mut lines).ok()?;
         Some(Lines { lines, count, step: TAU / (count as f64 * dt) })
@@ -48,7 +48,7 @@ impl Lines {
 
     /// The signal of these lines times as many factors; further lines are none.
     pub fn through(&self, factors: impl Iterator<Item = Complex64>) -> Vec<f64> {
-        let back = RealFftPlanner::<f64>::new().plan_fft_inverse(self.count);
+        let back = fourier::inverse(self.count);
         self.with(factors, back.as_ref())
     }
 
@@ -57,7 +57,7 @@ impl Lines {
         &self,
         sets: impl Iterator<Item = I>,
     ) -> Vec<Vec<f64>> {
-        let back = RealFftPlanner::<f64>::new().plan_fft_inverse(self.count);
+        let back = fourier::inverse(self.count);
         sets.map(|factors| self.with(factors, back.as_ref())).collect()
     }
 
