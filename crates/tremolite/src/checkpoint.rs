@@ -17,7 +17,7 @@ use tremolite_engine::state::{State, StateColumn};
 use tremolite_laws::Row;
 use tremolite_results::{CHECKPOINTS, HAND_OVER};
 
-const MAGIC: &[u8] = b"tremolite checkpoint 4\n";
+const MAGIC: &[u8] = b"tremolite checkpoint 5\n";
 /// What is being written, and is none yet.
 const NEXT: &str = "state.next.bin";
 

@@ -143,7 +143,7 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
                 let moved = [moved[0][p], moved[1][p], moved[2][p], moved[3][p], moved[4][p], moved[5][p]];
                 let carried = band.stress(&strain, answer.before, answer.now, &moved, memory, at);
                 stress = super::plus(stress, carried);
-                if PROBE {
+                if PROBE && probe.wanted {
                     held = band.held(&strain, answer.now, memory, at);
                     of_band = weight.mul_add(BandStep::dissipated::<L>(memory, at), of_band);
                 }
@@ -153,7 +153,7 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
                 e[c][p] = weight * stress[c];
                 c += 1;
             }
-            if PROBE {
+            if PROBE && probe.wanted {
                 let new: M::History<L> = load(own, at);
                 let stored = material.stored_energy(&strain, &of_law, &new) + held;
                 energy = weight.mul_add(stored, energy);
@@ -168,7 +168,7 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
             }
             p += 1;
         }
-        if PROBE {
+        if PROBE && probe.wanted {
             if let Some(water) = &given.water {
                 energy = energy - water.given(&pressed, at);
             }

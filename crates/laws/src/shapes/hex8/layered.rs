@@ -173,7 +173,7 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
                     values[c][q] = weight[q] * answer.stress[c];
                     c += 1;
                 }
-                if PROBE {
+                if PROBE && probe.wanted {
                     let new: M::History<L> = load(own, at);
                     let mut stress = answer.stress;
                     let mut stored = material.stored_energy(&strain, &stress, &new);
@@ -224,7 +224,7 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
         if let Some((step, _)) = &band {
             bodies::book(step, taken, overstress, at);
         }
-        if PROBE {
+        if PROBE && probe.wanted {
             if let Some(water) = &given.water {
                 energy = energy - water.given(&pressed, at);
             }

@@ -182,6 +182,8 @@ pub struct Probe {
     pub created: Octet,
     /// Energy \[J\] that damping over a band has taken so far.
     pub of_band: Octet,
+    /// Whether this pass is to bring it: an instance that can probe serves passes that do not as well.
+    pub wanted: bool,
 }
 
 impl Probe {
@@ -192,6 +194,7 @@ impl Probe {
         dissipated: Octet::ZERO,
         created: Octet::ZERO,
         of_band: Octet::ZERO,
+        wanted: true,
     };
 }
 

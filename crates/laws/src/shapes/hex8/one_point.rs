@@ -199,7 +199,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
                 (moved, _) = geometry.strain::<L>(&modes, at);
             }
             stress = super::plus(stress, band.stress(&strain, before, now, &moved, memory, at));
-            if PROBE {
+            if PROBE && probe.wanted {
                 held = band.held(&strain, now, memory, at);
                 (geometry.volume::<L>(at) * BandStep::dissipated::<L>(memory, at))
                     .store(&mut probe.of_band, at);
@@ -227,7 +227,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
         }
         store(&new, history, at);
 
-        if PROBE {
+        if PROBE && probe.wanted {
             let mut i = 0;
             while i < 6 {
                 stress[i].store(&mut probe.stress[0][i], at);
