@@ -3,7 +3,7 @@
 mod eigen;
 mod eight;
 
-pub use eigen::{Eigen, Spectrum, Spread, eigen};
+pub use eigen::{Axes, Eigen, Spectrum, Spread, eigen};
 pub use eight::{eigen_of_eight, extreme_values};
 
 /// Principal values, largest first, by Jacobi's rotations (Golub & Van Loan 2013, section 8.5).

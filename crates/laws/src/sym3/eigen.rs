@@ -79,6 +79,44 @@ impl<L: Lane> Spread<L> {
     }
 }
 
+/// Two values that differ by less than twice this share of the radius count as equal: their directions are round-off.
+const EQUAL: f64 = 1e-14;
+
+/// Principal values, largest first, and the tensors of which all others with the same directions are made.
+///
+/// With P the projector on the direction of the root that stands alone and Q the deviator in the plane across it, over its radius, Σ f_i p_i⊗p_i is
+/// m(I − P) + f P + dQ with f the value that stands alone, m the mean of the others and d half their difference. Where those two agree Q is
+/// round-off over round-off; it counts as 0, and what is made is wrong by no more than their difference.
+#[derive(Clone, Copy, Debug)]
+pub struct Axes<L> {
+    pub values: [L; 3],
+    /// −1 where the smallest value stands alone, else 1.
+    sign: L,
+    alone: [L; 6],
+    across: [L; 6],
+}
+
+impl<L: Lane> Axes<L> {
+    /// As [`Eigen::recompose`].
+    #[inline(always)]
+    pub fn compose(&self, values: [L; 3]) -> [L; 6] {
+        let (zero, half) = (L::splat(0.0), L::splat(0.5));
+        let negative = self.sign.less(zero);
+        let alone = L::select(negative, values[2], values[0]);
+        let high = L::select(negative, values[0], values[1]);
+        let low = L::select(negative, values[1], values[2]);
+        let (mean, apart) = ((high + low) * half, (high - low) * half);
+        let alone = alone - mean;
+        let mut t = [mean, mean, mean, zero, zero, zero];
+        let mut k = 0;
+        while k < 6 {
+            t[k] = apart.mul_add(self.across[k], alone.mul_add(self.alone[k], t[k]));
+            k += 1;
+        }
+        t
+    }
+}
+
 /// What the principal values and the directions both start from.
 #[derive(Clone, Copy, Debug)]
 pub struct Spectrum<L> {
@@ -166,6 +204,55 @@ impl<L: Lane> Spectrum<L> {
             self.radius.mul_add(middle, self.mean),
             self.radius.mul_add(low, self.mean),
         ]
+    }
+
+    /// Principal values, and what makes other tensors of the same directions: a third cheaper than the directions themselves.
+    #[inline(always)]
+    pub fn axes(&self) -> Axes<L> {
+        let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
+        let scale = self.scale * self.sign;
+        let root = self.root * self.sign;
+        let [x, y, z, xy, yz, zx] = self.deviator;
+        let (x, y, z) = (x * scale, y * scale, z * scale);
+        let (xy, yz, zx) = (xy * scale, yz * scale, zx * scale);
+        let (cx, cy, cz) = (x - root, y - root, z - root);
+        let mut alone = [
+            yz.neg_mul_add(yz, cy * cz),
+            zx.neg_mul_add(zx, cx * cz),
+            xy.neg_mul_add(xy, cx * cy),
+            xy.neg_mul_add(cz, zx * yz),
+            yz.neg_mul_add(cx, xy * zx),
+            zx.neg_mul_add(cy, xy * yz),
+        ];
+        let inverse = one / (alone[0] + alone[1] + alone[2]);
+        let (middle, turned) = (root * half, root * L::splat(1.5));
+        let mut across = [x + middle, y + middle, z + middle, xy, yz, zx];
+        let mut k = 0;
+        while k < 6 {
+            alone[k] = alone[k] * inverse;
+            across[k] = turned.neg_mul_add(alone[k], across[k]);
+            k += 1;
+        }
+        let [x, y, z, xy, yz, zx] = across;
+        let shear = xy.mul_add(xy, yz.mul_add(yz, zx * zx));
+        let normal = x.mul_add(x, y.mul_add(y, z * z));
+        let spread = normal.mul_add(half, shear).sqrt();
+        let equal = spread.less(L::splat(EQUAL));
+        let inverse = L::select(equal, zero, one / L::select(equal, one, spread));
+        let mut k = 0;
+        while k < 6 {
+            across[k] = across[k] * inverse;
+            k += 1;
+        }
+        let low = L::select(self.sign.less(zero), root, -middle - spread);
+        let second = L::select(self.sign.less(zero), -middle - spread, -middle + spread);
+        let high = L::select(self.sign.less(zero), -middle + spread, root);
+        let values = [
+            self.radius.mul_add(high, self.mean),
+            self.radius.mul_add(second, self.mean),
+            self.radius.mul_add(low, self.mean),
+        ];
+        Axes { values, sign: self.sign, alone, across }
     }
 
     /// Principal values and directions.

@@ -134,6 +134,53 @@ fn values_alone_agree_to_the_root_of_round_off() {
     }
 }
 
+/// Values, the tensor itself and one of a function that follows its argument no faster (positive parts, as a crack carries pressure alone), made with directions and without.
+fn assert_made_alike(t: &[f64; 6]) {
+    let (full, axes) = (eigen(t), Spectrum::of(t).axes());
+    let scale = t.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let near = |a: f64, b: f64, times: f64| {
+        assert!((a - b).abs() <= times * f64::EPSILON * scale, "{t:?}: {a} {b}\n{full:?}\n{axes:?}");
+    };
+    for i in 0..3 {
+        near(axes.values[i], full.values[i], 16.0);
+    }
+    assert!(axes.values[0] >= axes.values[1] && axes.values[1] >= axes.values[2], "{t:?}");
+    for (made, given) in axes.compose(axes.values).iter().zip(t) {
+        near(*made, *given, 64.0);
+    }
+    let positive = |values: [f64; 3]| values.map(|x| x.max(0.0));
+    let with = full.recompose(positive(full.values));
+    for (without, with) in axes.compose(positive(axes.values)).iter().zip(with) {
+        near(*without, with, 64.0);
+    }
+    assert_eq!(axes.compose([0.7; 3]), [0.7, 0.7, 0.7, 0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn tensors_made_without_directions_are_those_with() {
+    let mut random = Random::new(11);
+    for scale in [1e-80, 1e-9, 1.0, 1e9, 1e80] {
+        assert_made_alike(&[scale, scale, scale, 0.0, 0.0, 0.0]);
+        for shift in [0.0, 1.0, 1e8] {
+            for _ in 0..2_000 {
+                let mut t = [0; 6].map(|_| scale * random.symmetric());
+                t[..3].iter_mut().for_each(|c| *c += scale * shift);
+                assert_made_alike(&t);
+            }
+        }
+    }
+    for gap in [0.0, 1e-17, 1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-8, 1e-4] {
+        for _ in 0..2_000 {
+            let (vectors, x) = (random.rotation(), random.symmetric());
+            for values in
+                [[x, 1.0, 1.0 + gap], [gap, -gap, x], [x, -x, -x * (1.0 + gap)], [x, 1e-3, 1e-3 - gap]]
+            {
+                assert_made_alike(&Eigen { values, vectors }.recompose(values));
+            }
+        }
+    }
+}
+
 #[test]
 fn recomposition_returns_the_tensor() {
     let mut random = Random::new(5);

@@ -2,7 +2,7 @@
 
 use crate::contact::between;
 use std::sync::Arc;
-use tremolite::engine::{Relaxed, Release};
+use tremolite::engine::Release;
 use tremolite::parts::loads::Load;
 use tremolite::{
     Assembly, Bed, Body, Engine, Found, Line, Model, Phase, Problem, Quadrature, Stage, State, elastic,

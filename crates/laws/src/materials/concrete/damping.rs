@@ -4,7 +4,7 @@ use super::step::bounded;
 use super::{Concrete, D_SHEAR, D_TENSION, MEMORY};
 use crate::lane::Lane;
 use crate::material::{LEAST_HOURGLASS_SHARE, Sym};
-use crate::sym3::{Eigen, eigen};
+use crate::sym3::{Axes, Spectrum};
 
 /// V of a point without damage.
 #[inline(always)]
@@ -20,7 +20,7 @@ impl Concrete {
         if !L::any(L::splat(0.0).less(history[D_TENSION] + history[D_SHEAR])) {
             return whole();
         }
-        let axes = eigen(&bounded(*strain));
+        let axes = Spectrum::of(&bounded(*strain)).axes();
         self.left_along(&axes, &self.undamaged(&axes.values), history)
     }
 
@@ -28,7 +28,7 @@ impl Concrete {
     #[inline(always)]
     pub(super) fn left_along<L: Lane>(
         &self,
-        axes: &Eigen<L>,
+        axes: &Axes<L>,
         undamaged: &[L; 3],
         history: &[L; MEMORY],
     ) -> Sym<L> {
@@ -40,7 +40,7 @@ impl Concrete {
             L::select(undamaged[1].less(zero), minus, plus),
             L::select(undamaged[2].less(zero), minus, plus),
         ];
-        let mut left = axes.recompose(along);
+        let mut left = axes.compose(along);
         // Axes are square to each other but for round-off; what is whole, as a closed crack is, is whole.
         let damaged = along[0].smaller(along[1].smaller(along[2])).less(one);
         let whole = whole::<L>();

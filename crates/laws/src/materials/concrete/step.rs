@@ -88,9 +88,9 @@ impl Concrete {
         let mut new = old;
         [new[SMOOTHED_TENSION], new[SMOOTHED_SHEAR]] = seen.smoothed;
         let spectrum = Spectrum::from(&seen.spread);
-        let eigen = spectrum.eigen();
-        let undamaged = self.undamaged(&eigen.values);
-        let equivalent = self.equivalent_strain(&eigen.values, &undamaged);
+        let axes = spectrum.axes();
+        let undamaged = self.undamaged(&axes.values);
+        let equivalent = self.equivalent_strain(&axes.values, &undamaged);
         let frozen = zero.less(old[FACTOR_TENSION]);
         // No factor is below 1: it is asked for where the static threshold is reached.
         let calm = L::either(frozen, equivalent.less(L::splat(self.threshold())));
@@ -108,7 +108,7 @@ impl Concrete {
         let starts = L::both(cracking, L::not(frozen));
         let mut size = old[CRACK_SIZE];
         if L::any(starts) {
-            size = L::select(starts, point.extent(&eigen.vectors[0]), size);
+            size = L::select(starts, point.extent(&spectrum.eigen().vectors[0]), size);
             new[FACTOR_TENSION] = L::select(starts, factor, old[FACTOR_TENSION]);
             new[CRACK_SIZE] = size;
         }
@@ -121,10 +121,10 @@ impl Concrete {
         // The effective split tests shear on the effective stress, the compliance split on the damaged one.
         let tested = match self.split {
             Split::Effective => undamaged,
-            Split::Compliance => self.principal_stress(eigen.values, undamaged, tension, old[D_SHEAR]),
+            Split::Compliance => self.principal_stress(axes.values, undamaged, tension, old[D_SHEAR]),
         };
         let frozen = zero.less(old[FACTOR_SHEAR]);
-        let compressive = -eigen.values[2];
+        let compressive = -axes.values[2];
         let pressed = L::both(zero.less(compressive), L::splat(1e-6 * self.fc).less(-tested[2]));
         let mut shear = old[D_SHEAR];
         // As in tension, and a frozen factor is not below 1 either.
@@ -158,19 +158,19 @@ impl Concrete {
         // The tested stress is that of the damage in shear before.
         let mut principal = tested;
         if self.split == Split::Effective || L::any(old[D_SHEAR].less(shear)) {
-            principal = self.principal_stress(eigen.values, undamaged, tension, shear);
+            principal = self.principal_stress(axes.values, undamaged, tension, shear);
         }
-        self.book(&eigen.values, &principal, quiet, &old, &mut new);
+        self.book(&axes.values, &principal, quiet, &old, &mut new);
         if point.looked_at {
-            self.open(point, &eigen, &principal, &mut new);
+            self.open(point, &spectrum.eigen(), &principal, &mut new);
         }
-        let damaged = eigen.recompose(principal);
+        let damaged = axes.compose(principal);
         let mut k = 0;
         while k < 6 {
             stress[k] = L::select(quiet, stress[k], damaged[k]);
             k += 1;
         }
-        let left = self.left_along(&eigen, &undamaged, &new);
+        let left = self.left_along(&axes, &undamaged, &new);
         (stress, new, left)
     }
 }
