@@ -91,7 +91,8 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
     let slot = |e: u32| phase.element_slot[e as usize];
     let place = |e: u32| Place { element: model.mesh.element_id(e as usize), at: centroid(&model.mesh, e) };
     let own = group.elements.iter().filter_map(|&e| Some((e, slot(e)?.element as usize)));
-    let (element, at) = own.max_by(|a, b| widest[a.1].total_cmp(&widest[b.1]))?;
+    // Of those that are equally wide the first, here and below.
+    let (element, at) = own.reduce(|best, e| if widest[e.1] > widest[best.1] { e } else { best })?;
     slot(element).and_then(|s| history.with_role(&s, Role::CrackWidth))?;
     // Through an element if all points in a row along the axis are open.
     let open = |&(e, axis): &(u32, usize)| {
@@ -115,7 +116,7 @@ fn cracks(model: &Model, phase: &Phase, history: History, memory: &Memory, group
         let remembered = Watch::remembered(memory);
         let row = |e: &u32| rows.get(e).filter(|_| !remembered.is_empty());
         let own = || group.elements.iter().filter_map(|e| Some((*e, Watch::opened(remembered, *row(e)?)[k])));
-        let (element, most) = own().max_by(|a, b| a.1.widest.total_cmp(&b.1.widest))?;
+        let (element, most) = own().reduce(|best, e| if e.1.widest > best.1.widest { e } else { best })?;
         let Place { element, at } = place(element);
         Some(Opened {
             direction: CrackDirection::ALL[k],

@@ -84,7 +84,7 @@ const EQUAL: f64 = 1e-14;
 
 /// Principal values, largest first, and the tensors of which all others with the same directions are made.
 ///
-/// With P the projector on the direction of the root that stands alone and Q the deviator in the plane across it, over its radius, Σ f_i p_i⊗p_i is
+/// With P the eigenprojection on the direction of the root that stands alone and Q the deviator in the plane across it, over its radius, Σ f_i p_i⊗p_i is
 /// m(I − P) + f P + dQ with f the value that stands alone, m the mean of the others and d half their difference. Where those two agree Q is
 /// round-off over round-off; it counts as 0, and what is made is wrong by no more than their difference.
 #[derive(Clone, Copy, Debug)]
@@ -206,7 +206,7 @@ impl<L: Lane> Spectrum<L> {
         ]
     }
 
-    /// Principal values, and what makes other tensors of the same directions: a third cheaper than the directions themselves.
+    /// Principal values, and what makes other tensors of the same directions, in fewer operations than the directions themselves take.
     #[inline(always)]
     pub fn axes(&self) -> Axes<L> {
         let (zero, one, half) = (L::splat(0.0), L::splat(1.0), L::splat(0.5));
