@@ -201,10 +201,10 @@ pub(super) fn dispatch<R: Rule, M: Material>(isa: Isa, law: &M, pass: Pass<R>) {
         // SAFETY: `Solid::new` keeps only available instruction sets, and checked all indices.
         #[cfg(target_arch = "x86_64")]
         Isa::Avx512 => unsafe { instances::avx512::<R, M>(law, pass) },
-        // SAFETY: as above. The instance that probes: one that cannot is as fast within a few per cent, and takes as long to compile again.
+        // SAFETY: as above.
         #[cfg(target_arch = "x86_64")]
-        Isa::Avx2 => unsafe { instances::avx2::<R, M, true>(law, pass) },
-        _ => reference::<R, M, true>(law, pass),
+        Isa::Avx2 if !R::PROBING_STEPS => unsafe { instances::avx2::<R, M, false>(law, pass) },
+        _ => dispatch_rare::<R, M, true>(isa, law, pass),
     }
 }
 

@@ -17,6 +17,8 @@ pub trait Rule: Send + Sync + 'static {
     fn points(&self) -> usize;
     /// Whether the products of [`Rule::weakened`] cost less than those of an elastic law at the points.
     const CLOSED: bool = false;
+    /// Whether steps with AVX2 are made by the instance that probes: one that cannot takes as long to compile again, and is not faster.
+    const PROBING_STEPS: bool = false;
     /// Octets that the damping bodies of eight elements keep.
     fn memory(&self) -> usize {
         self.points() * MEMORY
@@ -245,6 +247,7 @@ impl Rule for FullBricks {
 }
 
 impl<G: LayeredShape> Rule for Layered<G> {
+    const PROBING_STEPS: bool = true;
     type Geometry = G;
     const CLOSED: bool = true;
     const EMPTY: Self::Geometry = G::EMPTY;
