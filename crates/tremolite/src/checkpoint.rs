@@ -17,7 +17,8 @@ use tremolite_engine::state::{State, StateColumn};
 use tremolite_laws::Row;
 use tremolite_results::{CHECKPOINTS, HAND_OVER};
 
-const MAGIC: &[u8] = b"tremolite checkpoint 5\n";
+/// What a file begins with: the version of the format.
+pub const MAGIC: &[u8] = b"tremolite checkpoint 6\n";
 /// What is being written, and is none yet.
 const NEXT: &str = "state.next.bin";
 

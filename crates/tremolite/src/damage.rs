@@ -285,12 +285,8 @@ fn begins(measure: &Measure, onset: &Onset) -> Said {
             place = place,
         )
     } else {
-        said!(
-            "First {measure} before the earthquake in element {element} at {place}.",
-            measure = words,
-            element = element,
-            place = place,
-        )
+        // Where first is not known: all that stages did has that time.
+        said!("First {measure} before the earthquake.", measure = words)
     }
 }
 

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
-use tremolite::checkpoint::{self, Among};
+use tremolite::checkpoint::{self, Among, MAGIC};
 use tremolite::job::{Given, Job};
 use tremolite::state::State;
 use tremolite_results::CHECKPOINTS;
@@ -37,8 +37,6 @@ name = "rest"
 /// Of all checkpoints here.
 const FINGERPRINT: u64 = 38;
 
-const BEGINNING: &[u8] = b"tremolite checkpoint 4\n";
-
 fn job() -> &'static Job {
     static JOB: OnceLock<Job> = OnceLock::new();
     JOB.get_or_init(|| match Job::of_text(CASE, Path::new("."), &Given::default()) {
@@ -53,7 +51,7 @@ pub fn seed() -> Vec<u8> {
     checkpoint::write(folder.path(), &mut job().assembly.rest(), FINGERPRINT, &Among(None))
         .expect("a checkpoint");
     let file = fs::read(folder.path().join(CHECKPOINTS[0])).expect("it was written");
-    let (length, rest) = file[BEGINNING.len()..file.len() - 4].split_first_chunk::<8>().expect("a length");
+    let (length, rest) = file[MAGIC.len()..file.len() - 4].split_first_chunk::<8>().expect("a length");
     let length = u16::try_from(u64::from_le_bytes(*length)).expect("a short header");
     [b"S", &length.to_le_bytes()[..], rest].concat()
 }
@@ -102,7 +100,7 @@ fn file(bytes: &[u8]) -> Vec<u8> {
     let Some((length, rest)) = rest.split_first_chunk::<2>() else {
         return bytes.to_vec();
     };
-    let mut file = BEGINNING.to_vec();
+    let mut file = MAGIC.to_vec();
     file.extend(u64::from(u16::from_le_bytes(*length)).to_le_bytes());
     file.extend(rest);
     file.extend(crc32fast::hash(&file).to_le_bytes());
@@ -117,7 +115,12 @@ fn shape(state: &mut State) -> Vec<String> {
 pub fn state(bytes: &[u8]) -> bool {
     static FOLDER: OnceLock<std::path::PathBuf> = OnceLock::new();
     let root = FOLDER.get_or_init(|| {
-        tempfile::Builder::new().prefix("tremolite-state-").tempdir().expect("a folder").keep()
+        let root = tempfile::Builder::new().prefix("tremolite-state-").tempdir().expect("a folder").keep();
+        // What is made of its own numbers is taken: else every change would end at the beginning.
+        fs::write(root.join(CHECKPOINTS[0]), file(&seed())).expect("a file in memory");
+        let mut sound = job().assembly.rest();
+        checkpoint::read(&root, &mut sound, FINGERPRINT, &Among(None)).expect("a sound checkpoint");
+        root
     });
     let [last, earlier] = CHECKPOINTS.map(|name| root.join(name));
     let given = file(bytes);

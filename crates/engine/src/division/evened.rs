@@ -135,3 +135,63 @@ impl<'a> Loads<'a> {
         change
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::division::{middles, touched};
+    use crate::{Assembly, Body, Model, Problem, Quadrature, elastic};
+    use tremolite_laws::Moduli;
+    use tremolite_mesh::boxes::BoxSpec;
+
+    /// Whatever patch goes from whatever rank to another: what that is said to change is the difference of what all of it costs.
+    #[test]
+    fn a_move_changes_what_ranks_share_and_wait_for_as_it_is_said_to() {
+        let mesh = BoxSpec::uniform([0.0; 3], [32.0, 16.0, 8.0], [32, 16, 8]).mesh().unwrap();
+        let body = |name: &str, elements: std::ops::Range<u32>, quadrature: Quadrature| {
+            let material = elastic(Moduli::from_young_poisson(1e9, 0.25));
+            Body {
+                name: name.into(),
+                elements: elements.collect(),
+                material,
+                density: 2500.0,
+                quadrature,
+                viscosity: 0.0,
+            }
+        };
+        let bodies =
+            vec![body("below", 0..2048, Quadrature::OnePoint), body("above", 2048..4096, Quadrature::Full)];
+        let model = Model::new(Problem::new(mesh, bodies)).unwrap();
+        let assembly = Assembly::new(&model).unwrap();
+        let touched = touched(&model);
+        let works = Works::new(&model, &assembly, &touched);
+        let cut = Cut::new(&model, &works, &middles(&model), &touched);
+        let patches = model.patches.len() as u32;
+        assert!(patches > 8, "{patches}");
+        let ranks = 3;
+        let of: Vec<u32> = (0..patches).map(|p| p * p % ranks).collect();
+        let between = |of: &[u32]| -> f64 {
+            let parted = |on: &[u32]| {
+                let pairs = (0..on.len()).flat_map(|k| (0..k).map(move |j| (j, k)));
+                pairs.filter(|&(j, k)| of[on[j] as usize] != of[on[k] as usize]).count()
+            };
+            touched.iter().map(|on| parted(on) as f64).sum()
+        };
+        let waits = |of: &[u32]| -> f64 {
+            let mut all = vec![0.0; ranks as usize];
+            (0..).zip(of).for_each(|(p, &rank)| all[rank as usize] += works.up_to(p, 0, Works::SOUND));
+            all.iter().copied().fold(0.0, f64::max)
+        };
+        let loads = Loads::new(&works, ranks, &of);
+        for p in 0..patches {
+            for to in (0..ranks).filter(|&to| to != of[p as usize]) {
+                let mut then = of.clone();
+                then[p as usize] = to;
+                let [exact, said] = [between(&then) - between(&of), shared(&cut, &of, p, to)];
+                assert_eq!(exact, said, "patch {p} to {to}");
+                let [exact, said] = [waits(&then) - waits(&of), loads.change(p, of[p as usize], to)];
+                assert!((exact - said).abs() < 1e-9 * waits(&of), "patch {p} to {to}: {exact} {said}");
+            }
+        }
+    }
+}

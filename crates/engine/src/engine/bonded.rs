@@ -193,6 +193,38 @@ fn eliminated(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::passed_on;
+    use crate::{Assembly, Body, Engine, Model, Phase, Problem, Quadrature, Stage, elastic};
+    use std::sync::Arc;
+    use tremolite_laws::Moduli;
+    use tremolite_mesh::boxes::BoxSpec;
+
+    /// It has no unit, and its sums are over all blocks of nodes: displacements of whatever size leave it as it is.
+    #[test]
+    fn how_far_a_model_is_out_of_balance_does_not_go_by_the_size_of_its_forces() {
+        let mesh = BoxSpec::uniform([0.0; 3], [32.0, 16.0, 8.0], [32, 16, 8]).mesh().unwrap();
+        let material = elastic(Moduli::from_young_poisson(1e9, 0.25));
+        let elements = (0..4096).collect();
+        let quadrature = Quadrature::Full;
+        let body =
+            Body { name: "rock".into(), elements, material, density: 2500.0, quadrature, viscosity: 0.0 };
+        let model = Arc::new(Model::new(Problem::new(mesh, vec![body])).unwrap());
+        let assembly = Arc::new(Assembly::new(&model).unwrap());
+        let phase = Arc::new(Phase::of(&model, &assembly, Stage::Shaking).unwrap());
+        assert!(model.nodes.blocks.len() > 2);
+        let found = |size: f64| {
+            let mut engine = Engine::new(&model, &assembly, &phase);
+            let mut state = assembly.rest();
+            for (n, u) in (0_u32..).zip(&mut state.u) {
+                *u = super::super::power::noise(n, &phase.inverse_mass[n as usize]);
+                (0..3).for_each(|i| u.0[i] *= size);
+            }
+            state.du.copy_from_slice(&state.u);
+            engine.evaluate_at(&mut state, None);
+            engine.out_of_balance()
+        };
+        let [small, large] = [found(1e-6), found(2e-6)];
+        assert!((0.1..1.0).contains(&small) && (large / small - 1.0).abs() < 1e-12, "{small} {large}");
+    }
 
     /// Four nodes in a ring, as where two faults cross, and two by themselves with two pairs.
     #[test]

@@ -52,10 +52,7 @@ pub const TEXTS: Texts = &[
         "First {measure} at {time} s in element {element} at {place}.",
         "{time} s 首次{measure}，单元 {element}，位于 {place}。",
     ),
-    (
-        "First {measure} before the earthquake in element {element} at {place}.",
-        "地震前首次{measure}，单元 {element}，位于 {place}。",
-    ),
+    ("First {measure} before the earthquake.", "地震前已首次{measure}。"),
     // Interfaces.
     ("the interface neither slid nor opened on its {area} m²", "接触面在其 {area} m² 上既未滑移也未张开"),
     ("the interface slid over {slid} % of its {area} m²", "接触面 {area} m² 中有 {slid} % 发生滑移"),

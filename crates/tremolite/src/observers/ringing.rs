@@ -17,13 +17,14 @@ use tremolite_engine::model::Model;
 use tremolite_engine::phase::beats::span;
 use tremolite_engine::state::Memory;
 use tremolite_laws::Role;
+use tremolite_mesh::order::hilbert_order;
 use tremolite_motion::{Band, Filter, Section, highest_frequency};
 
 /// Key of what this observer remembers: [`SUMS`] numbers of each interface, then [`EACH`] of each pair that it follows.
 const MEMORY: &str = "ringing";
 /// The band above begins at this many times the highest frequency that comes in.
 const ABOVE: f64 = 2.0;
-/// Pairs followed of an interface, at most.
+/// Pairs followed of an interface, at most: others lie evenly between them.
 const MOST: usize = 128;
 /// Damage in tension beyond which an element has cracked.
 const CRACKED: f64 = 0.5;
@@ -99,7 +100,10 @@ impl Rings {
         for seam in model.user_seams() {
             let first = followed.len();
             let lasting: Vec<usize> = seam.lasting().collect();
-            let chosen = || lasting.iter().step_by(lasting.len().div_ceil(MOST).max(1));
+            // Spread over the interface by their places: numbers of nodes say nothing of these.
+            let places: Vec<[f64; 3]> = lasting.iter().map(|&k| seam.place(&model.mesh, k)).collect();
+            let along: Vec<usize> = hilbert_order(&places).iter().map(|&k| lasting[k as usize]).collect();
+            let chosen = || along.iter().step_by(along.len().div_ceil(MOST).max(1));
             let area: f64 = chosen().map(|&k| seam.pairs[k].area).sum();
             let mut of_face: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
             for &k in &lasting {
