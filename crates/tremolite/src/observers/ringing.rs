@@ -100,16 +100,14 @@ impl Rings {
         for seam in model.user_seams() {
             let first = followed.len();
             let lasting: Vec<usize> = seam.lasting().collect();
-            // Spread over the interface by their places: numbers of nodes say nothing of these.
             let places: Vec<[f64; 3]> = lasting.iter().map(|&k| seam.place(&model.mesh, k)).collect();
-            let along: Vec<usize> = hilbert_order(&places).iter().map(|&k| lasting[k as usize]).collect();
-            let chosen = || along.iter().step_by(along.len().div_ceil(MOST).max(1));
-            let area: f64 = chosen().map(|&k| seam.pairs[k].area).sum();
+            let chosen: Vec<usize> = spread(&places, MOST).into_iter().map(|k| lasting[k]).collect();
+            let area: f64 = chosen.iter().map(|&k| seam.pairs[k].area).sum();
             let mut of_face: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
             for &k in &lasting {
                 seam.pairs[k].corners.iter().for_each(|(f, _)| of_face.entry(*f).or_default().push(k));
             }
-            followed.extend(chosen().map(|&pair| {
+            followed.extend(chosen.into_iter().map(|pair| {
                 let shape = &seam.pairs[pair];
                 let faces = shape.corners.iter().map(|(face, _)| *face as usize);
                 let beside: BTreeSet<usize> = shape
@@ -241,8 +239,40 @@ impl Rings {
     }
 }
 
+/// So many of some places, evenly spread: every so-many-th on a curve through all, whatever order they are given in.
+fn spread(places: &[[f64; 3]], most: usize) -> Vec<usize> {
+    let along = hilbert_order(places).into_iter().map(|k| k as usize);
+    along.step_by(places.len().div_ceil(most).max(1)).collect()
+}
+
 /// States of a pair.
 const SLIDES: u8 = 2;
 const OPEN: u8 = 3;
 /// In place of whether a pair slides.
 const LEFT_OUT: f64 = -1.0;
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    /// Of a wall of 12 × 9 places at most 30, the same ones in whatever order, and none further than two places from one of them.
+    #[test]
+    fn what_is_followed_goes_by_places_and_not_by_numbers() {
+        let wall: Vec<[f64; 3]> = (0..108).map(|k| [1.0, f64::from(k % 12), f64::from(k / 12)]).collect();
+        let chosen = |places: &[[f64; 3]]| {
+            let mut found: Vec<[i32; 2]> =
+                spread(places, 30).iter().map(|&k| [places[k][1] as i32, places[k][2] as i32]).collect();
+            found.sort_unstable();
+            found
+        };
+        let own = chosen(&wall);
+        assert_eq!(own.len(), 27);
+        let shuffled: Vec<[f64; 3]> = (0..108).map(|k| wall[k * 35 % 108]).collect();
+        assert_eq!(chosen(&shuffled), own);
+        let near =
+            |x: &[f64; 3]| own.iter().any(|[y, z]| (x[1] as i32 - y).abs().max((x[2] as i32 - z).abs()) <= 2);
+        assert!(wall.iter().all(near), "{own:?}");
+        assert_eq!(spread(&wall, 200).len(), 108);
+        assert!(spread(&[], 30).is_empty());
+    }
+}
