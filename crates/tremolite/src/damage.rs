@@ -207,11 +207,10 @@ fn finding(group: &Group, found: &GroupDamage) -> Finding {
         }
     }
     if let Some((_, onset)) = first {
-        let element = onset.element as f64;
-        finding = finding
-            .with("first_time", onset.time)
-            .with("first_element", element)
-            .with_place("first", onset.at);
+        finding = finding.with("first_time", onset.time);
+        if onset.time > 0.0 {
+            finding = finding.with("first_element", onset.element as f64).with_place("first", onset.at);
+        }
     }
     finding
 }
