@@ -131,6 +131,8 @@ mod tests {
         fs::write(folder.checkpoint().join(crate::CHECKPOINTS[0]), "state").unwrap();
         drop(folder);
         let folder = ResultFolder::resume(Some(temp.path()), "case").unwrap();
+        assert!(folder.checksums().exists(), "nothing was written yet");
+        folder.unseal();
         assert!(!folder.checksums().exists() && folder.damaged().unwrap().is_empty());
     }
 }

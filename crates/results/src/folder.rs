@@ -164,7 +164,7 @@ impl ResultFolder {
         Ok(self)
     }
 
-    /// Removes what a run that was killed had half written, which no other can go on with, and the checksums of a run that goes on.
+    /// Removes what a run that was killed had half written, which no other can go on with.
     fn tidy(&self) {
         let folders = [
             self.root.clone(),
@@ -182,7 +182,10 @@ impl ResultFolder {
             // Litter that stays does no harm.
             let _ = tremolite_files::remove(&path);
         }
-        // Of files that will now change; a loss of power may bring it back, and then it says so.
+    }
+
+    /// Removes the checksums of files that will now change; a loss of power may bring them back, and then they say so.
+    pub fn unseal(&self) {
         if self.checksums().exists() {
             let _ = tremolite_files::remove(&self.checksums());
         }
@@ -197,6 +200,7 @@ impl ResultFolder {
         if held {
             return Ok(None);
         }
+        folder.unseal();
         if overwrite {
             folder.clear()?;
         }

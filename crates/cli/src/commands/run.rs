@@ -114,14 +114,14 @@ fn begin(args: &Args, job: &Job, other: Option<&ResultFolder>) -> Result<Option<
     };
     let (folder, resumed) = if args.resume {
         match ResultFolder::resume(args.out.as_deref(), &name) {
-            Ok(folder) if is_done(folder.root()) => return complete(folder.root()),
+            Ok(folder) if is_done(folder.root()) => return complete(job, folder.root()),
             Ok(folder) => (folder, true),
             // A job that is put in the queue again is the same command: what has not begun begins.
             Err(Error::NoResults { path, .. }) if ResultFolder::was_cut_short(&path) => {
                 job.check_kept(&path).map_err(other_case)?;
                 (create(Some(&path), true)?, false)
             }
-            Err(Error::NoResults { path, .. }) if is_done(&path) => return complete(&path),
+            Err(Error::NoResults { path, .. }) if is_done(&path) => return complete(job, &path),
             Err(Error::NoResults { path, .. }) if !path.join("summary.json").exists() => {
                 (create(args.out.as_deref(), false)?, false)
             }
@@ -152,8 +152,9 @@ fn other_case(why: RunError) -> Failure {
     }
 }
 
-/// Nothing is left to do, but for the page of a run that was killed before it had one.
-fn complete(root: &Path) -> Result<Option<Own>, Failure> {
+/// Nothing is left to do of the same case, but for the page of a run that was killed before it had one.
+fn complete(job: &Job, root: &Path) -> Result<Option<Own>, Failure> {
+    job.check_kept(root).map_err(other_case)?;
     say(&format!("{}: this run is complete: there is nothing to go on with", root.display()));
     if !root.join("report.html").exists() {
         tremolite_report::write(root).map_err(Failure::failed)?;

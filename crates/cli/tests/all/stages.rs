@@ -415,6 +415,17 @@ fn one_command_begins_goes_on_and_leaves_a_complete_run_as_it_is() {
     assert_eq!(code(&complete), 0);
     assert!(errors(&complete).contains("this run is complete"), "{}", errors(&complete));
     assert!(whole[1] == bytes(folder, "out", "summary.json"), "it is left as it is");
+    // With a checkpoint of its last steps too; and another case has no results here.
+    std::fs::write(folder.join("out/checkpoint/state.bin"), "state").unwrap();
+    let sums = bytes(folder, "out", "SHA256SUMS");
+    assert_eq!(code(&again()), 0);
+    assert!(sums == bytes(folder, "out", "SHA256SUMS"), "what it wrote is still told from what it did not");
+    let other = run(folder, "out", &["--resume", "--set", "initial.lateral=0.7"]);
+    assert_eq!(code(&other), 2, "{}", errors(&other));
+    assert!(errors(&other).contains("differs from"), "{}", errors(&other));
+    std::fs::remove_file(folder.join("out/checkpoint/state.bin")).unwrap();
+    let other = run(folder, "out", &["--resume", "--set", "initial.lateral=0.7"]);
+    assert_eq!(code(&other), 2, "{}", errors(&other));
     // Killed as its page was made.
     std::fs::remove_file(folder.join("out/report.html")).unwrap();
     assert_eq!(code(&again()), 0);

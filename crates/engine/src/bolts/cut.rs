@@ -11,6 +11,9 @@ use tremolite_mesh::{Mesh, quality};
 const GAP: f64 = 0.01;
 /// Weights that differ by less see the same motion.
 const SAME: f64 = 1e-8;
+/// How far from the element in which a leg of a bar is said to lie an end of it may be, over the leg's length: ten times what
+/// [`Locator::stretches`] allows.
+const BESIDE: f64 = 1e-6;
 /// Share of an element's size that a segment through an interface reaches on either side at least: one that only just reaches it
 /// would be so stiff that it bounds the step.
 const REACH: f64 = 0.25;
@@ -277,9 +280,10 @@ impl Saw<'_> {
     fn point(&self, bar: &Bar, lain: &Lain, at: f64) -> Option<BoltPoint> {
         let before: f64 = bar.points.windows(2).take(lain.leg).map(|ends| distance(ends[0], ends[1])).sum();
         let (from, to) = (bar.points[lain.leg], bar.points[lain.leg + 1]);
-        let share = (at - before) / distance(from, to);
+        let leg = distance(from, to);
+        let share = (at - before) / leg;
         let place = [0, 1, 2].map(|i| from[i] + share * (to[i] - from[i]));
-        let (shapes, place) = self.locator.weights_in(lain.element, place)?;
+        let (shapes, place) = self.locator.weights_in(lain.element, place, BESIDE * leg)?;
         let mut weights: Vec<(u32, f64)> = Vec::new();
         let nodes = self.ground.mesh.elements[lain.element as usize].nodes();
         for (&node, weight) in nodes.iter().zip(shapes).filter(|(_, weight)| *weight != 0.0) {

@@ -46,6 +46,26 @@ fn a_plate_holds_the_head_across_the_free_length_alone() {
     assert_eq!(segments(free), [([0.0, 2.0], true), ([2.0, 3.0], false)]);
 }
 
+/// A head or a tail beside the wall by a round-off of whatever size is at it: no piece is lost, and no plate.
+#[test]
+fn a_bar_that_ends_a_little_beside_the_wall_ends_at_it() {
+    let borders = [0.0, 0.3, 0.6, 0.9, 12.0];
+    for off in [0.0, 1e-9, 1e-7, 4e-7, 8e-7, 1.1e-6, 1.3e-6, 2e-6, 1e-5, 1e-3, 8e-3] {
+        let mut free = bar(&borders, [-off, 12.0 + off]);
+        free.bolts[0].free_length = 0.5;
+        let found = segments(free);
+        let ends: Vec<f64> = found.iter().flat_map(|(ends, _)| *ends).collect();
+        assert_eq!(
+            found.iter().map(|(_, free)| *free).collect::<Vec<_>>(),
+            [true, false, false, false],
+            "{off}"
+        );
+        for (found, exact) in ends.iter().zip([0.0, 0.5, 0.5, 0.6, 0.6, 0.9, 0.9, 12.0]) {
+            assert!((found - exact).abs() < 0.01, "{off}: {ends:?}");
+        }
+    }
+}
+
 /// What sees an interface reaches a quarter of an element's size on either side: an eighth of a metre of an element of a metre each way across
 /// it is just that, a sixteenth is not.
 #[test]

@@ -110,7 +110,7 @@ fn quadratic(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
 
 impl Locator<'_> {
     /// Where the straight line between two points \[m\] lies in elements, in order; nothing where it lies in none. Of elements
-    /// that share the face it lies in the one of lowest index.
+    /// that share the face it lies in the one of lowest index. Ends lie in the element but for 10⁻⁷ of the line's length.
     pub fn stretches(&self, from: [f64; 3], to: [f64; 3]) -> Vec<Stretch> {
         let Some(line) = Line::new(from, to) else { return Vec::new() };
         let mut meets = vec![0.0, line.length];
@@ -146,16 +146,20 @@ impl Locator<'_> {
     }
 
     /// Shape functions of an element's nodes at a point in it or on its surface, and the place that they describe, which is the
-    /// point but for round-off; those that are nothing but round-off are 0. None if the point lies elsewhere.
-    pub fn weights_in(&self, element: u32, at: [f64; 3]) -> Option<([f64; 8], [f64; 3])> {
+    /// point but for round-off; those that are nothing but round-off are 0. A point at most `beside` \[m\] away is moved onto the surface. None if
+    /// the point lies elsewhere.
+    pub fn weights_in(&self, element: u32, at: [f64; 3], beside: f64) -> Option<([f64; 8], [f64; 3])> {
         let element = &self.mesh.elements[element as usize];
         let nodes = self.corners(element);
         let natural = natural_coordinates(element.shape, &nodes, at)?;
         let clamped = super::clamp(element.shape, natural);
-        if (0..3).any(|i| (natural[i] - clamped[i]).abs() > NEAR) {
-            return None;
-        }
         let mut weights = weights(element.shape, clamped);
+        if (0..3).any(|i| (natural[i] - clamped[i]).abs() > NEAR) {
+            let off = minus(point(&nodes[..element.shape.nodes()], &weights), at);
+            if dot(off, off) > beside * beside {
+                return None;
+            }
+        }
         let dropped: f64 = weights.iter().filter(|w| w.abs() < NO_WEIGHT).sum();
         weights.iter_mut().filter(|w| w.abs() < NO_WEIGHT).for_each(|w| *w = 0.0);
         let largest = weights.iter_mut().max_by(|a, b| a.total_cmp(b))?;

@@ -153,10 +153,10 @@ fn a_line_is_cut_where_it_leaves_an_element() {
             last = stretch.to;
             for k in 1..10 {
                 let within = at(stretch.from + 0.1 * f64::from(k) * (stretch.to - stretch.from));
-                assert!(locator.weights_in(stretch.element, within).is_some(), "{stretch:?}");
+                assert!(locator.weights_in(stretch.element, within, 0.0).is_some(), "{stretch:?}");
             }
             for end in [stretch.from, stretch.to] {
-                let (weights, place) = locator.weights_in(stretch.element, at(end)).expect("at its end");
+                let (weights, place) = locator.weights_in(stretch.element, at(end), 0.0).expect("at its end");
                 let nodes = &mesh.elements[stretch.element as usize].nodes;
                 let value: f64 =
                     nodes.iter().zip(weights).map(|(&n, w)| w * field(mesh.nodes[n as usize])).sum();
@@ -192,7 +192,7 @@ fn a_line_along_edges_and_one_through_a_hole_have_the_stretches_that_one_sees() 
     let ends: Vec<[f64; 2]> = stretches.iter().map(|s| [s.from, s.to]).collect();
     assert_eq!(ends, [[1.0, 2.0], [3.0, 4.0], [4.0, 5.0]]);
     // A point on a face has nodes of the face alone.
-    let (weights, _) = locator.weights_in(21, [1.0, 1.25, 1.5]).expect("on its face");
+    let (weights, _) = locator.weights_in(21, [1.0, 1.25, 1.5], 0.0).expect("on its face");
     assert_eq!(weights.iter().filter(|w| **w != 0.0).count(), 4);
     assert!(locator.stretches([1.0; 3], [1.0; 3]).is_empty());
     assert!(locator.stretches([1.0; 3], [f64::NAN; 3]).is_empty());

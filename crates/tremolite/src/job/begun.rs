@@ -101,6 +101,7 @@ impl Job {
                 earlier = (if wall_seconds.is_finite() { wall_seconds } else { 0.0 }, run.resumed + 1);
             }
             self.check_kept(folder.root())?;
+            folder.unseal();
         }
         replace_file(&folder.case(), source)?;
         Ok(Begun { earlier, ..self.join(folder, start) })
