@@ -200,7 +200,6 @@ impl ResultFolder {
         if held {
             return Ok(None);
         }
-        folder.unseal();
         if overwrite {
             folder.clear()?;
         }
