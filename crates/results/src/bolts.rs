@@ -1,13 +1,11 @@
 //! bolts.csv: what each bolt carries and how it stands, at the end of stages and in the shaking.
 
 use std::fs;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use crate::growing_file::GrowingFile;
 use crate::stages::write_rows;
-use crate::table_writer::reopen;
-use crate::{Column, Error, number};
-use tremolite_files::Appended;
+use crate::{Column, Error, Extent, number};
 
 /// What stands in the column `stage` in the shaking.
 pub const EARTHQUAKE: &str = "earthquake";
@@ -158,9 +156,7 @@ fn header() -> Vec<u8> {
 /// Writes the file; it grows while the ground shakes.
 #[derive(Debug)]
 pub struct BoltWriter {
-    file: Appended,
-    path: PathBuf,
-    bytes: u64,
+    file: GrowingFile,
 }
 
 impl BoltWriter {
@@ -169,21 +165,19 @@ impl BoltWriter {
     /// # Errors
     /// [`Error::Io`].
     pub fn create(path: &Path, rows: &[BoltRow]) -> Result<Self, Error> {
-        let file = Appended::create(path).map_err(Error::io(path, "write this file"))?;
-        let mut writer = BoltWriter { file, path: path.to_owned(), bytes: 0 };
-        writer.put(&header())?;
+        let mut writer = BoltWriter { file: GrowingFile::create(path)? };
+        writer.file.put(&header())?;
         writer.write(rows)?;
         Ok(writer)
     }
 
-    /// Opens it to go on after its first `bytes` bytes, as [`BoltWriter::bytes_written`] told at a checkpoint. What was
-    /// written later is cut off.
+    /// Opens it to go on behind what [`BoltWriter::extent`] told at a checkpoint. What was written later is cut off.
     ///
     /// # Errors
     /// As [`crate::TableWriter::resume`].
-    pub fn resume(path: &Path, bytes: u64) -> Result<Self, Error> {
-        let file = reopen(path, &String::from_utf8_lossy(&header()), bytes)?;
-        Ok(BoltWriter { file, path: path.to_owned(), bytes })
+    pub fn resume(path: &Path, extent: Extent) -> Result<Self, Error> {
+        let file = GrowingFile::resume(path, &String::from_utf8_lossy(&header()), extent)?;
+        Ok(BoltWriter { file })
     }
 
     /// Adds rows.
@@ -191,18 +185,12 @@ impl BoltWriter {
     /// # Errors
     /// [`Error::Io`], a full disk for one.
     pub fn write(&mut self, rows: &[BoltRow]) -> Result<(), Error> {
-        self.put(&lines(rows.iter().map(line)))
+        self.file.put(&lines(rows.iter().map(line)))
     }
 
-    /// Bytes in the file so far.
-    pub fn bytes_written(&self) -> u64 {
-        self.bytes
-    }
-
-    fn put(&mut self, text: &[u8]) -> Result<(), Error> {
-        self.file.write_all(text).map_err(Error::io(&self.path, "write this file"))?;
-        self.bytes += text.len() as u64;
-        Ok(())
+    /// What is in the file so far.
+    pub fn extent(&self) -> Extent {
+        self.file.extent()
     }
 }
 
@@ -268,7 +256,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("bolts.csv");
         let mut writer = BoltWriter::create(&path, &[row(1)]).unwrap();
-        let at = writer.bytes_written();
+        let at = writer.extent();
         writer.write(&[row(2)]).unwrap();
         let whole = fs::read(&path).unwrap();
         // A line that was being written when the run was killed is not read, and is cut off.
@@ -278,13 +266,14 @@ mod tests {
         assert_eq!(read_bolts(&path).unwrap(), [row(1)]);
         writer.write(&[row(2)]).unwrap();
         assert_eq!(fs::read(&path).unwrap(), whole);
-        assert_eq!(writer.bytes_written(), whole.len() as u64);
+        assert_eq!(writer.extent().bytes, whole.len() as u64);
 
-        for bytes in [at - 1, whole.len() as u64 + 1, 3] {
-            assert!(BoltWriter::resume(&path, bytes).is_err(), "{bytes}");
+        for bytes in [at.bytes - 1, whole.len() as u64 + 1, 3] {
+            assert!(BoltWriter::resume(&path, Extent { bytes, ..at }).is_err(), "{bytes}");
         }
+        assert!(BoltWriter::resume(&path, Extent { crc: !at.crc, ..at }).is_err(), "other rows");
         fs::write(&path, "time [s]\n".repeat(100)).unwrap();
-        assert!(BoltWriter::resume(&path, 180).is_err(), "another table");
+        assert!(BoltWriter::resume(&path, Extent { bytes: 180, ..at }).is_err(), "another table");
     }
 
     #[test]

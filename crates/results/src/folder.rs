@@ -128,7 +128,7 @@ impl ResultFolder {
         marked && !root.join("summary.json").exists() && !ResultFolder::goes_on(root)
     }
 
-    /// Waits until the tables that grow are on the disk, as a checkpoint that knows their lengths wants.
+    /// Waits until the tables that grow are on the disk, as a checkpoint that knows what is in them wants.
     ///
     /// # Errors
     /// [`Error::Io`].

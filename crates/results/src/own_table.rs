@@ -1,13 +1,14 @@
 //! Tables that a user's program adds to a run, `own/NAME.csv`: a row of numbers now and then, behind the time.
 //!
 //! They are opened for each row, which comes with a look at the whole model and so costs nothing beside it: nobody holds them open, and several
-//! observers may write to one. How long each is at a checkpoint is in the state, so that a resumed run cuts off what came later.
+//! observers may write to one. What is in each at a checkpoint is in the state, so that a resumed run cuts off what came later.
 
 use std::fs;
 use std::io::{self, BufRead};
 use std::path::{Path, PathBuf};
 
-use crate::{Column, Error, TableWriter};
+use crate::growing_file::GrowingFile;
+use crate::{Column, Error, Extent, TableWriter};
 
 /// How the headers of all of them begin.
 const TIME: &str = "time [s]";
@@ -41,21 +42,21 @@ pub fn path(root: &Path, table: &str) -> PathBuf {
     root.join("own").join(format!("{table}.csv"))
 }
 
-/// Adds a row, behind the first `bytes` of the table; without these begins it. Returns how long the table is then.
+/// Adds a row behind what was written last; without that begins the table. Returns what is in it then.
 ///
 /// # Errors
 /// [`Error::Format`] for other columns than the table has, or for columns that it cannot have; [`Error::Io`].
-pub fn add(root: &Path, row: &OwnRow, bytes: Option<u64>) -> Result<u64, Error> {
+pub fn add(root: &Path, row: &OwnRow, last: Option<Extent>) -> Result<Extent, Error> {
     let path = path(root, &row.table);
-    let mut writer = match bytes {
-        Some(bytes) => {
+    let mut writer = match last {
+        Some(last) => {
             let header = header(&path)?;
             let wanted = row.columns.iter().map(Column::header).collect::<Vec<_>>().join(",");
             if header != wanted {
                 let what = format!("has the columns {header}; record the same each time, not {wanted}");
                 return Err(Error::format(&path, None, what));
             }
-            TableWriter::resume(&path, &row.columns, bytes)?
+            TableWriter::go_on(&path, &row.columns, last)?
         }
         None => {
             let folder = root.join("own");
@@ -64,17 +65,17 @@ pub fn add(root: &Path, row: &OwnRow, bytes: Option<u64>) -> Result<u64, Error> 
         }
     };
     writer.write(&row.values)?;
-    Ok(writer.bytes_written())
+    Ok(writer.extent())
 }
 
-/// Cuts all such tables in `root` back to what a state knows of, their names and lengths; removes those that it does not know.
+/// Cuts all such tables in `root` back to what a state knows of them; removes those that it does not know.
 ///
 /// # Errors
-/// [`Error::Format`] for a table that is shorter than it was: it is not the one of that state; [`Error::Io`].
-pub fn cut_back(root: &Path, kept: &[(&str, u64)]) -> Result<(), Error> {
-    for (table, bytes) in kept {
+/// [`Error::Format`] for a table that is shorter than it was or was changed: it is not the one of that state; [`Error::Io`].
+pub fn cut_back(root: &Path, kept: &[(&str, Extent)]) -> Result<(), Error> {
+    for (table, extent) in kept {
         let path = path(root, table);
-        drop(crate::table_writer::reopen(&path, &format!("{}\n", header(&path)?), *bytes)?);
+        drop(GrowingFile::resume(&path, &format!("{}\n", header(&path)?), *extent)?);
     }
     let unknown = |other: &PathBuf| kept.iter().all(|(table, _)| path(root, table) != *other);
     // A file of the user's own that happens to lie there does not begin so.
@@ -135,7 +136,8 @@ mod tests {
 
         let other = add(root, &row("roof", "v [m]", [3.0, 4.0]), Some(second)).unwrap_err().to_string();
         assert!(other.contains("record the same each time"), "{other}");
-        let shorter = cut_back(root, &[("roof", 10_000)]).unwrap_err().to_string();
+        let longer = Extent { bytes: 10_000, ..second };
+        let shorter = cut_back(root, &[("roof", longer)]).unwrap_err().to_string();
         assert!(shorter.contains("the checkpoint was made at 10000"), "{shorter}");
     }
 

@@ -1,21 +1,18 @@
 //! Histories as a table of numbers: `monitors.csv` and `energy.csv`, written while the run goes on.
 
 use std::collections::HashSet;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use crate::growing_file::GrowingFile;
 use crate::table::is_name;
-use crate::{Column, Error, columns, number};
-use tremolite_files::Appended;
+use crate::{Column, Error, Extent, columns, number};
 
 /// Writes a table row by row. Numbers are printed as [`number::push`] does it: no digit is lost,
 /// and equal runs give equal bytes.
 #[derive(Debug)]
 pub struct TableWriter {
-    file: Appended,
-    path: PathBuf,
+    file: GrowingFile,
     columns: usize,
-    bytes: u64,
     text: String,
 }
 
@@ -29,22 +26,26 @@ impl TableWriter {
     pub fn create(path: &Path, columns: &[Column]) -> Result<Self, Error> {
         let header = header(path, columns)?;
         columns::write(path, columns)?;
-        let file = Appended::create(path).map_err(Error::io(path, "write this file"))?;
-        let mut writer =
-            TableWriter { file, path: path.to_owned(), columns: columns.len(), bytes: 0, text: header };
+        let file = GrowingFile::create(path)?;
+        let mut writer = TableWriter { file, columns: columns.len(), text: header };
         writer.flush()?;
         Ok(writer)
     }
 
-    /// Opens a table to go on with it after its first `bytes` bytes, as [`TableWriter::bytes_written`] told
-    /// at a checkpoint. What was written later is cut off.
+    /// Opens a table to go on with it behind what [`TableWriter::extent`] told at a checkpoint. What was written later is cut off.
     ///
     /// # Errors
-    /// [`Error::Format`] if the file is shorter, has other columns, or does not break after a row
-    /// there: it is not the file of that checkpoint. It is then left as it is. [`Error::Io`].
-    pub fn resume(path: &Path, columns: &[Column], bytes: u64) -> Result<Self, Error> {
-        let file = reopen(path, &header(path, columns)?, bytes)?;
-        Ok(TableWriter { file, path: path.to_owned(), columns: columns.len(), bytes, text: String::new() })
+    /// [`Error::Format`] if the file is shorter, has other columns, does not break after a row there, or does not hold what it held:
+    /// it is not the file of that checkpoint. It is then left as it is. [`Error::Io`].
+    pub fn resume(path: &Path, columns: &[Column], extent: Extent) -> Result<Self, Error> {
+        let file = GrowingFile::resume(path, &header(path, columns)?, extent)?;
+        Ok(TableWriter { file, columns: columns.len(), text: String::new() })
+    }
+
+    /// The same for whoever wrote the table a moment ago: it does not read what stands in it.
+    pub(crate) fn go_on(path: &Path, columns: &[Column], extent: Extent) -> Result<Self, Error> {
+        let file = GrowingFile::go_on(path, &header(path, columns)?, extent)?;
+        Ok(TableWriter { file, columns: columns.len(), text: String::new() })
     }
 
     /// Writes one row, or several one after the other, and hands them to the operating system in
@@ -69,55 +70,24 @@ impl TableWriter {
         self.flush()
     }
 
-    /// Bytes in the file so far. A checkpoint keeps this number for [`TableWriter::resume`].
-    pub fn bytes_written(&self) -> u64 {
-        self.bytes
+    /// What is in the file so far. A checkpoint keeps it for [`TableWriter::resume`].
+    pub fn extent(&self) -> Extent {
+        self.file.extent()
     }
 
-    /// Waits until all is on the disk. A checkpoint does this before it records the length.
+    /// Waits until all is on the disk. A checkpoint does this before it records the extent.
     ///
     /// # Errors
     /// [`Error::Io`].
     pub fn sync(&self) -> Result<(), Error> {
-        self.file.sync().map_err(Error::io(&self.path, "write this file"))
+        self.file.sync()
     }
 
     fn flush(&mut self) -> Result<(), Error> {
-        self.file.write_all(self.text.as_bytes()).map_err(Error::io(&self.path, "write this file"))?;
-        self.bytes += self.text.len() as u64;
+        self.file.put(self.text.as_bytes())?;
         self.text.clear();
         Ok(())
     }
-}
-
-/// Opens a table of these headers (with their line end) behind its first `bytes` bytes, and cuts off what was written later.
-///
-/// # Errors
-/// As [`TableWriter::resume`].
-pub(crate) fn reopen(path: &Path, header: &str, bytes: u64) -> Result<Appended, Error> {
-    let mut file = Appended::open(path).map_err(Error::io(path, "open this file to go on with it"))?;
-    let found = file.length().map_err(Error::io(path, "read this file"))?;
-    if found < bytes {
-        let what = format!(
-            "{found} bytes long, but the checkpoint was made at {bytes}; put the file of that run back, or \
-             start the run anew"
-        );
-        return Err(Error::format(path, None, what));
-    }
-    let foreign = "not the table of the run that made the checkpoint; put that file back, or start anew";
-    if bytes < header.len() as u64 {
-        return Err(Error::format(path, None, foreign));
-    }
-    let mut start = vec![0; header.len()];
-    let mut end = [0];
-    file.read(0, &mut start)
-        .and_then(|()| file.read(bytes - 1, &mut end))
-        .map_err(Error::io(path, "read this file"))?;
-    if start != header.as_bytes() || end != *b"\n" {
-        return Err(Error::format(path, None, foreign));
-    }
-    file.cut(bytes).map_err(Error::io(path, "cut this file at the checkpoint"))?;
-    Ok(file)
 }
 
 fn header(path: &Path, columns: &[Column]) -> Result<String, Error> {

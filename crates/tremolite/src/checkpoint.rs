@@ -18,7 +18,7 @@ use tremolite_laws::Row;
 use tremolite_results::{CHECKPOINTS, HAND_OVER};
 
 /// What a file begins with: the version of the format.
-pub const MAGIC: &[u8] = b"tremolite checkpoint 6\n";
+pub const MAGIC: &[u8] = b"tremolite checkpoint 7\n";
 /// What is being written, and is none yet.
 const NEXT: &str = "state.next.bin";
 
@@ -70,7 +70,7 @@ struct Entry {
     values: usize,
 }
 
-/// Writes the state into a folder; the checkpoint there becomes the earlier one. Tables whose lengths the state knows have to be on the disk
+/// Writes the state into a folder; the checkpoint there becomes the earlier one. Tables that the state knows have to be on the disk
 /// before ([`ResultFolder::sync`](tremolite_results::ResultFolder::sync)).
 ///
 /// # Errors

@@ -18,7 +18,7 @@ use crate::error::RunError;
 use crate::fingerprint::fingerprint;
 use crate::levels::{levels, longest_step};
 use crate::observers::{
-    Apart, Audience, Event, OwnObservers, Setting, forget_own_tables, observers_among_ranks,
+    Apart, Audience, Event, OwnObservers, Setting, check_tables, forget_own_tables, observers_among_ranks,
 };
 use crate::plan::{Plan, Steps};
 use shaking::Shaking;
@@ -242,7 +242,9 @@ impl Simulation {
         checkpoint::read_hand_over(&folder.checkpoint(), &mut state, self.fingerprint, &self.among_ranks())?;
         self.state = state;
         self.state.dt = self.dt;
-        if folder.root() != self.folder.root() {
+        if folder.root() == self.folder.root() {
+            self.check_tables(&self.state)?;
+        } else {
             forget_own_tables(&mut self.state.observers);
         }
         self.take_stages()
@@ -363,15 +365,21 @@ impl Simulation {
         state
     }
 
+    /// Whether the tables in its folder begin with what a state knows of them, where this process writes them.
+    fn check_tables(&self, state: &State) -> Result<(), RunError> {
+        if self.writes() { check_tables(self.folder.root(), &state.observers) } else { Ok(()) }
+    }
+
     /// Goes back to the checkpoint in its folder. Tables are cut back to it as soon as it goes on.
     ///
     /// # Errors
-    /// If there is none, or it is damaged or of another model or plan.
+    /// If there is none, it is damaged or of another model or plan, or a table was changed since.
     pub fn restore(&mut self) -> Result<(), RunError> {
         let mut state = self.at_rest();
         let folder = self.folder.clone();
         match checkpoint::read(&folder.checkpoint(), &mut state, self.fingerprint, &self.among_ranks()) {
             Ok(damaged) => {
+                self.check_tables(&state)?;
                 let why = damaged.map(|why| why.what());
                 self.fallen_back =
                     why.map(|why| format!("{why}; the run goes on from the checkpoint before"));
@@ -391,7 +399,7 @@ impl Simulation {
         }
     }
 
-    /// Writes a checkpoint, once the tables that it knows the lengths of are on the disk; of several ranks the first does.
+    /// Writes a checkpoint, once the tables that it knows are on the disk; of several ranks the first does.
     fn keep(&self, state: &mut State) -> Result<(), RunError> {
         self.nodes_whole(state);
         self.lend(&mut state.observers);

@@ -152,6 +152,14 @@ fn other_case(why: RunError) -> Failure {
     }
 }
 
+/// What a run was to begin with is not what it takes; nothing was computed yet.
+fn refused(why: RunError) -> Failure {
+    match why {
+        RunError::Checkpoint(_) | RunError::Results(_) => Failure::input(why),
+        why => Failure::failed(why),
+    }
+}
+
 /// Nothing is left to do of the same case, but for the page of a run that was killed before it had one.
 fn complete(job: &Job, root: &Path) -> Result<Option<Own>, Failure> {
     job.check_kept(root).map_err(other_case)?;
@@ -225,7 +233,7 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
     {
         log.say(&format!("warning: {why}"));
     }
-    let outcome = simulation.and_then(|simulation| tremolite::run::run(simulation, &mut control));
+    let outcome = tremolite::run::run(simulation.map_err(refused)?, &mut control);
     line.end();
     let outcome = outcome.map_err(Failure::failed)?;
     let busy = ranks.map(|ranks| busy(&ranks, outcome.held));

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use tremolite_results::{Column, Error, Table, TableWriter};
+use tremolite_results::{Column, Error, Extent, Table, TableWriter};
 
 fn columns() -> Vec<Column> {
     vec![Column::new("time", "s"), Column::new("A.ux", "m"), Column::new("A.d_b", "")]
@@ -28,7 +28,7 @@ fn the_file_is_what_the_contract_says_and_readable_after_every_batch() {
         fs::read_to_string(&path).unwrap(),
         "time [s],A.ux [m],A.d_b\n0,-1.25e-5,NaN\n0.1,0.048,0.5\n0.2,1e-320,inf\n"
     );
-    assert_eq!(writer.bytes_written(), fs::metadata(&path).unwrap().len());
+    assert_eq!(writer.extent().bytes, fs::metadata(&path).unwrap().len());
     let table = Table::read(&path).unwrap();
     assert_eq!(table.columns, columns());
     assert_eq!(table.column("time"), Some(&[0.0, 0.1, 0.2][..]));
@@ -53,7 +53,7 @@ fn resuming_gives_the_bytes_of_the_uninterrupted_run() {
     let (_temp, path) = file(b"");
     let mut writer = TableWriter::create(&path, &columns()).unwrap();
     writer.write(&[0.0, 1.0, 2.0]).unwrap();
-    let checkpoint = writer.bytes_written();
+    let checkpoint = writer.extent();
     writer.sync().unwrap();
     writer.write(&[0.1, 1.1, 2.2]).unwrap();
     let whole = fs::read(&path).unwrap();
@@ -62,19 +62,26 @@ fn resuming_gives_the_bytes_of_the_uninterrupted_run() {
     let mut writer = TableWriter::resume(&path, &columns(), checkpoint).unwrap();
     writer.write(&[0.1, 1.1, 2.2]).unwrap();
     assert_eq!(fs::read(&path).unwrap(), whole);
-    assert_eq!(writer.bytes_written(), whole.len() as u64);
+    assert_eq!(writer.extent().bytes, whole.len() as u64);
 }
 
 #[test]
 fn resuming_refuses_a_file_that_is_not_the_checkpoints_and_leaves_it_alone() {
-    let content = b"time [s],A.ux [m],A.d_b\n0,1,2\n";
-    let (_temp, path) = file(content);
-    let length = content.len() as u64;
-    let shorter = TableWriter::resume(&path, &columns(), length + 1).unwrap_err();
-    assert!(shorter.to_string().contains("30 bytes long, but the checkpoint was made at 31"), "{shorter}");
-    assert!(TableWriter::resume(&path, &columns(), length - 1).is_err(), "inside a row");
-    assert!(TableWriter::resume(&path, &columns(), 0).is_err(), "before the headers");
-    assert!(TableWriter::resume(&path, &columns()[..2], length).is_err(), "other columns");
+    let (_temp, path) = file(b"");
+    let mut writer = TableWriter::create(&path, &columns()).unwrap();
+    writer.write(&[0.0, 1.0, 2.0]).unwrap();
+    let known = writer.extent();
+    let content = fs::read(&path).unwrap();
+    let told =
+        |columns: &[Column], extent| TableWriter::resume(&path, columns, extent).unwrap_err().to_string();
+    let of_bytes = |bytes| told(&columns(), Extent { bytes, ..known });
+    let shorter = of_bytes(known.bytes + 1);
+    assert!(shorter.contains("30 bytes long, but the checkpoint was made at 31"), "{shorter}");
+    assert!(of_bytes(known.bytes - 1).contains("not the table of the run"), "inside a row");
+    assert!(of_bytes(0).contains("not the table of the run"), "before the headers");
+    assert!(told(&columns()[..2], known).contains("not the table of the run"), "other columns");
+    let changed = told(&columns(), Extent { crc: !known.crc, ..known });
+    assert!(changed.contains("changed since the checkpoint was made"), "{changed}");
     assert_eq!(fs::read(&path).unwrap(), content);
 }
 

@@ -101,7 +101,6 @@ impl Job {
                 earlier = (if wall_seconds.is_finite() { wall_seconds } else { 0.0 }, run.resumed + 1);
             }
             self.check_kept(folder.root())?;
-            folder.unseal();
         }
         replace_file(&folder.case(), source)?;
         Ok(Begun { earlier, ..self.join(folder, start) })
@@ -178,7 +177,13 @@ impl Begun {
         let Job { model, assembly, phase, stable, .. } = job;
         let (model, assembly, phase) = (model.clone(), assembly.clone(), phase.clone());
         let built = Built { model, assembly, phase, stable: stable.clone() };
-        Simulation::among(&built, &job.plan, &self.folder, start, own, ranks)
+        let first = ranks.as_ref().is_none_or(|ranks| ranks.is_first());
+        let simulation = Simulation::among(&built, &job.plan, &self.folder, start, own, ranks)?;
+        // What is refused stays as it was.
+        if first && matches!(self.start, Beginning::Resume) {
+            self.folder.unseal();
+        }
+        Ok(simulation)
     }
 
     /// The summary of how the job that was begun ended, which is written into the folder.

@@ -1,9 +1,11 @@
 //! bolts.csv: what bolts carry at the end of each stage, and as the ground shakes.
 
 use super::observer::{Event, Observer, Schedule, Setting, StageSeen, View, Wants, Which};
+use super::run_table;
 use crate::error::RunError;
 use crate::plan::Plan;
 use crate::support::{BoltSeen, look, seen, word};
+use std::path::PathBuf;
 use std::sync::Arc;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::bolts::{BoltSet, SegmentState};
@@ -12,8 +14,6 @@ use tremolite_engine::state::Memory;
 use tremolite_engine::{Model, Stage};
 use tremolite_results::{BoltPeak, BoltRow, BoltWriter, EARTHQUAKE, ResultFolder};
 
-/// Key of what this observer remembers of the file: the bytes written in the shaking.
-const BYTES: &str = "bolts";
 /// Rows at the ends of stages, [`EACH`] numbers each behind the stage's.
 const STAGES: &str = "bolts of stages";
 /// By group, the largest force of any stage and step, as [`PEAK`] numbers.
@@ -32,6 +32,7 @@ pub struct BoltForces {
     schedule: Schedule,
     bolts: Which,
     written: Schedule,
+    path: PathBuf,
     table: BoltWriter,
 }
 
@@ -39,18 +40,25 @@ impl BoltForces {
     /// Starts the table with the rows of the stages, or goes on with it where the state left it; nothing without bolts.
     ///
     /// # Errors
-    /// If the file cannot be written, or is shorter than the state remembers.
+    /// If the file cannot be written, or is not what the state remembers.
     pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
         let Setting { folder, model, plan, steps, memory, .. } = *setting;
         if model.bolts.is_empty() {
             return Ok(None);
         }
-        let table = match memory.get(BYTES) {
-            Some(kept) => BoltWriter::resume(&folder.bolts(), kept[0] as u64)?,
-            None => BoltWriter::create(&folder.bolts(), &rows_of_stages(&model.bolts, plan, memory))?,
+        let path = folder.bolts();
+        let table = match run_table::known(&path, memory) {
+            Some(extent) => BoltWriter::resume(&path, extent)?,
+            None => BoltWriter::create(&path, &rows_of_stages(&model.bolts, plan, memory))?,
         };
         let written = Schedule { every: steps.snapshots.unwrap_or(steps.total), last: Some(steps.total) };
-        Ok(Some(BoltForces { schedule: setting.rows(), bolts: bolts(setting.assembly), written, table }))
+        Ok(Some(BoltForces {
+            schedule: setting.rows(),
+            bolts: bolts(setting.assembly),
+            written,
+            path,
+            table,
+        }))
     }
 
     /// Of each group the largest force so far, and the largest share of yield.
@@ -247,7 +255,7 @@ impl BoltForces {
             let row = |row: [f64; EACH]| told(&model.bolts, &row, EARTHQUAKE, snapshot.time);
             self.table.write(&rows_of(&seen).into_iter().filter_map(row).collect::<Vec<_>>())?;
         }
-        memory.insert(BYTES.into(), vec![self.table.bytes_written() as f64]);
+        run_table::remember(&self.path, self.table.extent(), memory);
         Ok(())
     }
 }

@@ -20,6 +20,7 @@ pub use given::AtCorners;
 pub use seen::{ColumnSeen, FreeFieldSeen, Theory};
 pub use yielding::{NoColumn, YieldingSeen};
 
+use super::RunTable;
 use super::observer::{Event, Observer, Setting, Stepped, View, Wants, Which};
 use crate::error::RunError;
 use crate::layered_column::{Layer, LayeredColumn};
@@ -33,13 +34,13 @@ use tremolite_engine::column::{Column as Ground, corner_name};
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
-use tremolite_results::{Column, Subject, TableWriter};
+use tremolite_results::{Column, Subject};
 use yielding::Yielding;
 
 /// Compares and writes velocities at the rows of the histories.
 pub struct FreeField {
     wants: Wants,
-    table: TableWriter,
+    table: RunTable,
     /// Behind the time.
     cells: Vec<Cell>,
     columns: Vec<Watched>,
@@ -110,12 +111,7 @@ impl FreeField {
         let cells = cells(&columns, &theory, softened, &beside);
         let of_cells = cells.iter().map(|cell| cell.column.clone());
         let header: Vec<Column> = std::iter::once(Column::new("time", "s")).chain(of_cells).collect();
-        let path = setting.folder.free_field();
-        let names = columns.iter().map(|column| column.name.clone());
-        let table = match FreeFieldSeen::named(setting.memory, names) {
-            Some(seen) => TableWriter::resume(&path, &header, seen.bytes)?,
-            None => TableWriter::create(&path, &header)?,
-        };
+        let table = RunTable::new(&setting.folder.free_field(), &header, setting.memory)?;
         let edges = edges(model, &columns);
         let ends = || columns.iter().flat_map(|column: &Watched| column.ends);
         let corners = columns.iter().flat_map(|column| column.corners.iter().flatten().copied());
@@ -300,7 +296,6 @@ impl FreeField {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let names = || self.columns.iter().map(|column| column.name.clone());
         let mut seen = FreeFieldSeen::named(memory, names()).unwrap_or_else(|| FreeFieldSeen {
-            bytes: 0,
             columns: names().map(|name| ColumnSeen { name, ..ColumnSeen::default() }).collect(),
         });
         let velocity = |node: usize| view.snapshot.velocity[node].xyz();
@@ -340,8 +335,7 @@ impl FreeField {
         };
         let mut row = vec![view.snapshot.time];
         row.extend(self.cells.iter().map(value));
-        self.table.write(&row)?;
-        seen.bytes = self.table.bytes_written();
+        self.table.write(&row, memory)?;
         seen.keep(memory);
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! damage.csv: how damage grows, group by group.
 
-use super::Cracks;
 use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
+use super::{Cracks, RunTable};
 use crate::error::RunError;
 use crate::groups::{Group, groups};
 use crate::quantities::{MEASURES, Measure, SHARE_OF_VOLUME};
@@ -12,10 +12,7 @@ use tremolite_engine::phase::{ElementSlot, Phase};
 use tremolite_engine::state::Memory;
 use tremolite_laws::parameter::position;
 use tremolite_laws::{Column as Kept, Role};
-use tremolite_results::{Column, CrackDirection, Subject, TableWriter};
-
-/// Key of what this observer remembers: the bytes written.
-const MEMORY: &str = "growth";
+use tremolite_results::{Column, CrackDirection, Subject};
 
 /// An element with the volumes of its points \[m³\].
 struct Cell {
@@ -41,7 +38,7 @@ struct Part {
 pub struct Growth {
     schedule: Schedule,
     elements: Which,
-    table: TableWriter,
+    table: RunTable,
     parts: Vec<Part>,
 }
 
@@ -49,7 +46,7 @@ impl Growth {
     /// Starts the table, or goes on with it where the state left it; nothing if no law of the model can be damaged.
     ///
     /// # Errors
-    /// If the file cannot be written, or is shorter than the state remembers.
+    /// If the file cannot be written, or is not what the state remembers.
     pub fn new(setting: &Setting) -> Result<Option<Self>, RunError> {
         let Setting { model, assembly, phase, .. } = *setting;
         let groups = groups(model);
@@ -74,11 +71,7 @@ impl Growth {
         if parts.is_empty() {
             return Ok(None);
         }
-        let path = setting.folder.damage();
-        let table = match setting.memory.get(MEMORY) {
-            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
-            None => TableWriter::create(&path, &columns)?,
-        };
+        let table = RunTable::new(&setting.folder.damage(), &columns, setting.memory)?;
         let elements = Which::some(whole.iter().flat_map(|group| &group.elements).map(|&e| e as usize));
         Ok(Some(Growth { schedule: setting.rows(), elements, table, parts }))
     }
@@ -149,8 +142,6 @@ impl Growth {
                 row.extend(each);
             }
         }
-        self.table.write(&row)?;
-        memory.insert(MEMORY.into(), vec![self.table.bytes_written() as f64]);
-        Ok(())
+        self.table.write(&row, memory)
     }
 }

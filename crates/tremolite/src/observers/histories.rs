@@ -3,6 +3,7 @@
 //! Acceleration is that between rows: one step's value out of many would be a sample of what rings far above the rows' own
 //! Nyquist frequency, and alias.
 
+use super::RunTable;
 use super::observer::{Event, Observer, Schedule, Setting, StageSeen, View, Wants, Which};
 use super::rows::{Cell, Seen, cells};
 use crate::error::RunError;
@@ -22,9 +23,9 @@ use tremolite_laws::Row;
 use tremolite_laws::shapes::hex8::elastic_stress;
 use tremolite_laws::sym3::principal_values;
 use tremolite_mesh::Shape;
-use tremolite_results::{Column, TableWriter};
+use tremolite_results::Column;
 
-/// Key of what this observer remembers: the bytes written, the time of the last row \[s\], the monitors' velocities there \[m/s\]
+/// Key of what this observer remembers: the time of the last row \[s\], the monitors' velocities there \[m/s\]
 /// and their stresses in the first row \[Pa\].
 const MEMORY: &str = "histories";
 
@@ -32,7 +33,7 @@ const MEMORY: &str = "histories";
 pub struct Histories {
     schedule: Schedule,
     sees: Wants,
-    table: TableWriter,
+    table: RunTable,
     cells: Vec<Cell>,
     /// The pair of each monitor on an interface.
     pairs: Vec<usize>,
@@ -44,15 +45,12 @@ impl Histories {
     /// Starts the table, or goes on with it where the state left it.
     ///
     /// # Errors
-    /// If the file cannot be written, or is shorter than the state remembers.
+    /// If the file cannot be written, or is not what the state remembers.
     pub fn new(setting: &Setting) -> Result<Self, RunError> {
-        let (path, cells) = (setting.folder.monitors(), cells(setting.plan));
+        let cells = cells(setting.plan);
         let of_cells = cells.iter().map(|cell| cell.column.clone());
         let columns: Vec<Column> = std::iter::once(Column::new("time", "s")).chain(of_cells).collect();
-        let table = match setting.memory.get(MEMORY) {
-            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
-            None => TableWriter::create(&path, &columns)?,
-        };
+        let table = RunTable::new(&setting.folder.monitors(), &columns, setting.memory)?;
         let pairs = setting.plan.pairs.iter().map(|pair| nearest(setting.model, pair)).collect();
         let bolts = setting.plan.bolts.iter().map(|bolt| segment(setting.model, bolt)).collect();
         let standing = |monitor: &Monitor| Some(monitor.location.element as usize);
@@ -187,7 +185,7 @@ pub(super) fn elastic_change(
 
 /// Stress of the first row at the monitor of this number \[Pa\]; none before that row.
 pub(super) fn first_stress(memory: &Memory, plan: &Plan, monitor: usize) -> Option<[f64; 6]> {
-    let first = 2 + 3 * plan.monitors.len();
+    let first = 1 + 3 * plan.monitors.len();
     memory.get(MEMORY)?[first..].as_chunks::<6>().0.get(monitor).copied()
 }
 
@@ -228,20 +226,20 @@ impl Histories {
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
         let View { model, plan, snapshot, .. } = *view;
         let last = memory.get(MEMORY).cloned();
-        let mut kept = vec![0.0, snapshot.time];
+        let mut kept = vec![snapshot.time];
         let mut seen = Seen::default();
         let mut first = Vec::with_capacity(6 * plan.monitors.len());
         for (k, monitor) in plan.monitors.iter().enumerate() {
             let u = interpolate(model, monitor, &snapshot.displacement);
             let v = interpolate(model, monitor, &snapshot.velocity);
             let a = [0, 1, 2].map(|i| match &last {
-                Some(last) => (v[i] - last[2 + 3 * k + i]) / (snapshot.time - last[1]),
+                Some(last) => (v[i] - last[1 + 3 * k + i]) / (snapshot.time - last[0]),
                 None => 0.0,
             });
             kept.extend(v);
             let stress = stress(view, monitor, monitor.location.element as usize);
             let start = match &last {
-                Some(last) => [0, 1, 2, 3, 4, 5].map(|c| last[2 + 3 * plan.monitors.len() + 6 * k + c]),
+                Some(last) => [0, 1, 2, 3, 4, 5].map(|c| last[1 + 3 * plan.monitors.len() + 6 * k + c]),
                 None => stress,
             };
             first.extend(start);
@@ -258,8 +256,7 @@ impl Histories {
         seen.bolts = bolts.map(|(monitor, segment)| segment_seen(view, monitor, *segment)).collect();
         let values = self.cells.iter().map(|cell| cell.value(&seen));
         let row: Vec<f64> = std::iter::once(snapshot.time).chain(values).collect();
-        self.table.write(&row)?;
-        kept[0] = self.table.bytes_written() as f64;
+        self.table.write(&row, memory)?;
         memory.insert(MEMORY.into(), kept);
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! interfaces.csv, and interfaces/*.vtu with interfaces.pvd: what opens and slides.
 
+use super::RunTable;
 use super::observer::{Event, Observer, Schedule, Setting, View, Wants, Which};
 use crate::error::RunError;
 use crate::quantities::{Field, INTERFACE};
@@ -13,16 +14,16 @@ use tremolite_engine::state::Memory;
 use tremolite_kernels::contact::PairSeen;
 use tremolite_mesh::pairs::tangents;
 use tremolite_mesh::vtu::{Array, Grid, Values};
-use tremolite_results::{Column, Pvd, Subject, TableWriter};
+use tremolite_results::{Column, Pvd, Subject};
 
-/// Key of what this observer remembers: the bytes written, and for each interface the largest size of its impact gain \[J\].
+/// Key of what this observer remembers: for each interface the largest size of its impact gain \[J\].
 const MEMORY: &str = "interfaces";
 
 /// Writes a row for all interfaces.
 pub struct Interfaces {
     schedule: Schedule,
     pairs: Which,
-    table: TableWriter,
+    table: RunTable,
 }
 
 /// The members that pairs are in.
@@ -49,17 +50,13 @@ impl Interfaces {
         if setting.model.user_seams().is_empty() {
             return Ok(None);
         }
-        let (path, columns) = (setting.folder.interfaces(), columns(setting.model));
-        let table = match setting.memory.get(MEMORY) {
-            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
-            None => TableWriter::create(&path, &columns)?,
-        };
+        let table = RunTable::new(&setting.folder.interfaces(), &columns(setting.model), setting.memory)?;
         Ok(Some(Interfaces { schedule: setting.rows(), pairs: pairs(setting.assembly), table }))
     }
 
     /// The largest size \[J\] of what impacts of an interface found or lost, over all rows.
     pub fn largest_gain(memory: &Memory, interface: usize) -> f64 {
-        memory.get(MEMORY).and_then(|kept| kept.get(1 + interface)).copied().unwrap_or(f64::NAN)
+        memory.get(MEMORY).and_then(|kept| kept.get(interface)).copied().unwrap_or(f64::NAN)
     }
 }
 
@@ -85,10 +82,9 @@ impl Interfaces {
             row.extend(INTERFACE.iter().map(|q| (q.value)(&totals)));
             gains.push(totals.impact_gain.abs());
         }
-        self.table.write(&row)?;
-        let mut kept = memory.remove(MEMORY).unwrap_or_else(|| vec![0.0; 1 + model.user_seams().len()]);
-        kept[0] = self.table.bytes_written() as f64;
-        for (most, now) in kept[1..].iter_mut().zip(gains) {
+        self.table.write(&row, memory)?;
+        let mut kept = memory.remove(MEMORY).unwrap_or_else(|| vec![0.0; model.user_seams().len()]);
+        for (most, now) in kept.iter_mut().zip(gains) {
             *most = if now.is_nan() { now } else { most.max(now) };
         }
         memory.insert(MEMORY.into(), kept);

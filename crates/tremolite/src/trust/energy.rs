@@ -84,7 +84,7 @@ fn error(evidence: &Evidence) -> TrustLine {
             (parted, error - parted)
         })
         .unzip();
-    let rest = evidence.outcome.state.observers.get(ENERGY_MEMORY).map_or(f64::NAN, |kept| kept[1]);
+    let rest = evidence.outcome.state.observers.get(ENERGY_MEMORY).map_or(f64::NAN, |kept| kept[0]);
     let (error, jumps) = (rest + beyond.iter().sum::<f64>(), parted.iter().sum::<f64>());
     if held <= noise(evidence) {
         let why = said!("the motion is within the round-off of the energy stored before");
@@ -105,7 +105,7 @@ fn error(evidence: &Evidence) -> TrustLine {
 /// By body of the user, the largest of all rows of the work on it that is in none of its lines \[J\].
 fn errors_of_bodies<'e>(evidence: &Evidence<'e>) -> &'e [f64] {
     let kept = evidence.outcome.state.observers.get(ENERGY_MEMORY);
-    kept.and_then(|kept| kept.get(2..)).unwrap_or(&[])
+    kept.and_then(|kept| kept.get(1..)).unwrap_or(&[])
 }
 
 /// The largest energy \[J\] of all rows that motion, elements and interfaces hold.

@@ -7,12 +7,13 @@ use crate::damage::{concrete, hall_of};
 use crate::held::files;
 use crate::ready::Ready;
 use std::collections::BTreeMap;
+use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use tremolite::engine::Release;
 use tremolite::observers::{
-    CycleMade, Event, Observer, OwnObservers, Schedule, Setting, StageSeen, Wants, Which, observers,
+    CycleMade, Event, Observer, OwnObservers, RunTable, Schedule, Setting, StageSeen, Wants, Which, observers,
 };
 use tremolite::plan::{BoltMonitor, Monitor, PairMonitor, Plan};
 use tremolite::quantities::Field;
@@ -23,7 +24,7 @@ use tremolite::{Base, Incident, Interface, Problem, RunError, Side};
 use tremolite_laws::Isa;
 use tremolite_mesh::locate::Locator;
 use tremolite_motion::{Motion, Sample, ricker_velocity};
-use tremolite_results::{Column, PageWish, ResultFolder, TableWriter};
+use tremolite_results::{Column, PageWish, ResultFolder};
 
 /// Stages need not come near to rest.
 fn plan(problem: &Problem, stages: &[&str], monitors: &[(&str, [f64; 3])]) -> Plan {
@@ -250,7 +251,7 @@ fn what_observers_want_is_all_that_they_see_and_none_does_without_what_it_wants(
 struct Counts {
     schedule: Schedule,
     node: u32,
-    table: TableWriter,
+    table: RunTable,
 }
 
 const COUNTS: &str = "counts";
@@ -259,10 +260,7 @@ impl Counts {
     fn new(setting: &Setting) -> Result<Self, RunError> {
         let path = setting.folder.root().join("counts.csv");
         let columns = [Column::new("time", "s"), Column::new("way", "m")];
-        let table = match setting.memory.get(COUNTS) {
-            Some(kept) => TableWriter::resume(&path, &columns, kept[0] as u64)?,
-            None => TableWriter::create(&path, &columns)?,
-        };
+        let table = RunTable::new(&path, &columns, setting.memory)?;
         Ok(Counts { schedule: setting.rows(), node: 40, table })
     }
 }
@@ -287,13 +285,13 @@ impl Observer for Counts {
             Event::StagesTaken => unreachable!("no other run"),
             Event::Look(view) => {
                 kept[4] += 1.0;
-                self.table.write(&[view.snapshot.time, view.snapshot.displacement[node].0[0]])?;
+                let row = [view.snapshot.time, view.snapshot.displacement[node].0[0]];
+                self.table.write(&row, memory)?;
             }
             Event::Glance(_) => unreachable!("not wished"),
             Event::Step(step) => kept[5] += step.du[node].0[0].abs(),
             Event::End { time } => kept[6] = *time,
         }
-        kept[0] = self.table.bytes_written() as f64;
         Ok(())
     }
 }
@@ -343,6 +341,58 @@ fn an_observer_from_outside_sees_stages_and_shaking_and_its_memory_outlives_stop
     assert_eq!(through(held(parts.path(), Start::Resume))[COUNTS], kept);
     let [whole, parts] = [whole, parts].map(|folder| files(folder.path()));
     assert!(whole.len() > 15 && whole.contains_key(Path::new("counts.csv")));
+    for (file, bytes) in &whole {
+        assert!(*bytes == parts[file], "{}", file.display());
+    }
+}
+
+#[test]
+fn a_table_that_was_changed_since_its_checkpoint_is_named_and_nothing_goes_on_with_it() {
+    let (problem, plan) = pit();
+    let Ready { model, assembly, phase } = Ready::new(problem);
+    let built = Built::of(&model, &assembly, &phase);
+    let held = |folder: &Path, start| {
+        let results = match start {
+            Start::Rest => ResultFolder::create(Some(folder), "observed", true).unwrap(),
+            _ => ResultFolder::open_existing(folder).unwrap(),
+        };
+        let own: OwnObservers = vec![Arc::new(|setting: &Setting| {
+            Ok(Some(Box::new(Counts::new(setting)?) as Box<dyn Observer>))
+        })];
+        Simulation::new(&built, &plan, &results, start, own)
+    };
+    let [whole, parts] = [0; 2].map(|_| tempfile::tempdir().unwrap());
+    through(held(whole.path(), Start::Rest).unwrap());
+
+    let mut first = held(parts.path(), Start::Rest).unwrap();
+    while first.stage().is_some() {
+        first.relax(&mut |_| Go::On).unwrap();
+    }
+    assert_eq!(first.step(100).unwrap(), Stepping::On);
+    assert_eq!(first.checkpoint().unwrap(), None);
+    assert_eq!(first.step(50).unwrap(), Stepping::On);
+    drop(first);
+    let tables = ["monitors", "energy", "damage", "interfaces", "free_field", "bolts", "counts"];
+    for table in tables {
+        let path = parts.path().join(format!("{table}.csv"));
+        let sound = fs::read(&path).unwrap();
+        // A digit of the first row.
+        let row = sound.iter().position(|b| *b == b'\n').unwrap();
+        let digit = row + sound[row..].iter().position(u8::is_ascii_digit).unwrap();
+        let mut changed = sound.clone();
+        changed[digit] ^= 1;
+        fs::write(&path, &changed).unwrap();
+        let told = held(parts.path(), Start::Resume).map(drop).unwrap_err().to_string();
+        assert!(told.contains(&format!("{table}.csv: changed since the checkpoint")), "{told}");
+        assert_eq!(fs::read(&path).unwrap(), changed, "{table}");
+        fs::write(&path, &sound).unwrap();
+    }
+    // What came later is no matter.
+    let path = parts.path().join("monitors.csv");
+    let later = fs::read(&path).unwrap();
+    fs::write(&path, [&later[..], b"9,9"].concat()).unwrap();
+    through(held(parts.path(), Start::Resume).unwrap());
+    let [whole, parts] = [whole, parts].map(|folder| files(folder.path()));
     for (file, bytes) in &whole {
         assert!(*bytes == parts[file], "{}", file.display());
     }

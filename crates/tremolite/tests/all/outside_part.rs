@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use tremolite::member::Kind;
-use tremolite::observers::{Event, Observer, OwnObservers, Schedule, Setting, Wants, Which};
+use tremolite::observers::{Event, Observer, OwnObservers, RunTable, Schedule, Setting, Wants, Which};
 use tremolite::parts::{Kept, Motion, Own, Part, Scratch, StateSizes, Tick};
 use tremolite::plan::Plan;
 use tremolite::run::{Control, run};
@@ -16,7 +16,7 @@ use tremolite::state::Memory;
 use tremolite::{Base, Limit, Line, Lines, Member, Problem, RunError, Side};
 use tremolite_laws::Row;
 use tremolite_mesh::Mesh;
-use tremolite_results::{Column, ResultFolder, Table, TableWriter};
+use tremolite_results::{Column, ResultFolder, Table};
 
 /// Springs of one stiffness \[N/m\] from nodes to the ground. Remembers the last forces, for the work between two steps,
 /// and the largest elongation that it saw.
@@ -124,7 +124,7 @@ fn springs_that_set_the_step_are_named_by_their_part() {
 struct Stretched {
     schedule: Schedule,
     springs: Which,
-    table: TableWriter,
+    table: RunTable,
 }
 
 impl Stretched {
@@ -134,11 +134,7 @@ impl Stretched {
 
     fn new(setting: &Setting) -> Result<Self, RunError> {
         let columns = [Column::new("time", "s"), Column::new("stretch", "m")];
-        let path = Self::path(setting.folder);
-        let table = match setting.memory.get("stretched") {
-            Some(memory) => TableWriter::resume(&path, &columns, memory[0] as u64)?,
-            None => TableWriter::create(&path, &columns)?,
-        };
+        let table = RunTable::new(&Self::path(setting.folder), &columns, setting.memory)?;
         let springs = Which::members(setting.assembly, |kind| kind == Kind::Own);
         Ok(Stretched { schedule: setting.rows(), springs, table })
     }
@@ -153,9 +149,7 @@ impl Observer for Stretched {
         let Event::Look(view) = event else { return Ok(()) };
         let Some((_, slices)) = view.assembly.named(NAME) else { return Ok(()) };
         let most = view.numbers_of(slices).last().copied().unwrap_or(0.0);
-        self.table.write(&[view.snapshot.time, most])?;
-        memory.insert("stretched".into(), vec![self.table.bytes_written() as f64]);
-        Ok(())
+        self.table.write(&[view.snapshot.time, most], memory)
     }
 }
 

@@ -8,18 +8,19 @@ use super::levels;
 use super::seen::{ColumnSeen, FreeFieldSeen, most};
 use super::{AXES, ENDS};
 use crate::error::RunError;
+use crate::observers::RunTable;
 use crate::observers::observer::{Event, Observer, Setting, Stepped, View, Wants, Which};
 use crate::waves::ObliqueField;
 use std::sync::Arc;
 use tremolite_engine::column::corner_name;
 use tremolite_engine::free_field::GivenField;
 use tremolite_engine::state::Memory;
-use tremolite_results::{Column, Subject, TableWriter};
+use tremolite_results::{Column, Subject};
 
 /// Compares and writes velocities at the rows of the histories, and compares them in every step.
 pub struct AtCorners {
     wants: Wants,
-    table: TableWriter,
+    table: RunTable,
     field: Arc<ObliqueField>,
     /// Engine nodes of the model itself, by end and corner, and where they are \[m\].
     edges: [[usize; 4]; 2],
@@ -47,11 +48,7 @@ impl AtCorners {
             ["surface", "base"].iter().for_each(|end| add(Subject::Edge(corner_name(corner)), end));
         }
         plan.monitors.iter().for_each(|monitor| add(Subject::Monitor(monitor.name.clone()), "free_field"));
-        let path = setting.folder.free_field();
-        let table = match FreeFieldSeen::at_corners(setting.memory) {
-            Some(seen) => TableWriter::resume(&path, &header, seen.bytes)?,
-            None => TableWriter::create(&path, &header)?,
-        };
+        let table = RunTable::new(&setting.folder.free_field(), &header, setting.memory)?;
         let nodes = || edges.iter().flatten().copied();
         let wants = Wants {
             nodes: Which::some(nodes()),
@@ -63,8 +60,7 @@ impl AtCorners {
     }
 
     fn see(&mut self, view: &View, memory: &mut Memory) -> Result<(), RunError> {
-        let mut seen = FreeFieldSeen::at_corners(memory).unwrap_or_else(|| FreeFieldSeen {
-            bytes: 0,
+        let seen = FreeFieldSeen::at_corners(memory).unwrap_or_else(|| FreeFieldSeen {
             columns: (0..4).map(|k| ColumnSeen { name: corner_name(k), ..ColumnSeen::default() }).collect(),
         });
         let time = view.snapshot.time;
@@ -75,8 +71,7 @@ impl AtCorners {
             self.edges.iter().for_each(|nodes| row.extend(view.snapshot.velocity[nodes[corner]].xyz()));
         }
         self.monitors.iter().for_each(|&at| row.extend(free(at)));
-        self.table.write(&row)?;
-        seen.bytes = self.table.bytes_written();
+        self.table.write(&row, memory)?;
         seen.keep(memory);
         Ok(())
     }

@@ -5,7 +5,7 @@ use tremolite_engine::column::corner_name;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
 
-/// Key of what the observer remembers: the bytes written, then [`NUMBERS`] of each column.
+/// Key of what the observer remembers: [`NUMBERS`] of each column.
 const MEMORY: &str = "free field";
 /// The numbers of a column.
 const NUMBERS: usize = 9;
@@ -13,8 +13,6 @@ const NUMBERS: usize = 9;
 /// What was seen of the free field.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FreeFieldSeen {
-    /// Of free_field.csv so far.
-    pub bytes: u64,
     /// By the model's columns.
     pub columns: Vec<ColumnSeen>,
 }
@@ -69,7 +67,7 @@ impl FreeFieldSeen {
 
     /// What the state remembers of columns of these names.
     pub(super) fn named(memory: &Memory, names: impl IntoIterator<Item = String>) -> Option<Self> {
-        let (bytes, numbers) = memory.get(MEMORY)?.split_first()?;
+        let numbers = memory.get(MEMORY)?;
         let columns = names.into_iter().zip(numbers.chunks(NUMBERS)).map(|(name, numbers)| {
             let &[known, top, base, seen, most, damaged, surface, below, peak] = numbers else {
                 return ColumnSeen { name, ..ColumnSeen::default() };
@@ -83,11 +81,11 @@ impl FreeFieldSeen {
                 peak,
             }
         });
-        Some(FreeFieldSeen { bytes: *bytes as u64, columns: columns.collect() })
+        Some(FreeFieldSeen { columns: columns.collect() })
     }
 
     pub(super) fn keep(&self, memory: &mut Memory) {
-        let mut kept = vec![self.bytes as f64];
+        let mut kept = Vec::new();
         for column in &self.columns {
             let flag = |set: bool| f64::from(u8::from(set));
             let Theory { difference: [top, base], seen, peak } = column.theory.unwrap_or_default();
@@ -100,7 +98,7 @@ impl FreeFieldSeen {
 
     /// The last three numbers of a column as they are kept, to follow every step: corners at top and base, peak.
     pub(super) fn every_step(memory: &mut Memory) -> impl Iterator<Item = &mut [f64; 3]> {
-        let kept = memory.get_mut(MEMORY).map_or(&mut [][..], |kept| &mut kept[1..]);
+        let kept = memory.get_mut(MEMORY).map_or(&mut [][..], Vec::as_mut_slice);
         kept.chunks_mut(NUMBERS).filter_map(<[f64]>::last_chunk_mut)
     }
 }
