@@ -51,17 +51,46 @@ impl ResultFolder {
         replace_file(&self.checksums(), lines.as_bytes())
     }
 
+    /// Leaves files out that were removed on purpose.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn leave_out(&self, gone: impl Fn(&str) -> bool) -> Result<(), Error> {
+        let Some(text) = self.sums()? else { return Ok(()) };
+        let stays = |line: &&str| !line.split_once("  ").is_some_and(|(_, name)| gone(name));
+        let left: String = text.lines().filter(stays).map(|line| format!("{line}\n")).collect();
+        if left == text { Ok(()) } else { replace_file(&self.checksums(), left.as_bytes()) }
+    }
+
+    /// The text of the checksums, if there are any.
+    fn sums(&self) -> Result<Option<String>, Error> {
+        let path = self.checksums();
+        match fs::read_to_string(&path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(None),
+            text => text.map(Some).map_err(Error::io(&path, "read this file")),
+        }
+    }
+
     /// Files that are not as the run that ended left them, or are missing, in words; none where there are no checksums, as while a run is under
     /// way.
     ///
     /// # Errors
     /// [`Error::Io`] if the checksums cannot be read.
     pub fn damaged(&self) -> Result<Vec<String>, Error> {
+        self.damaged_among(|_| true)
+    }
+
+    /// The same of tables and the summary alone, which are all that numbers are taken from.
+    ///
+    /// # Errors
+    /// As [`ResultFolder::damaged`].
+    pub fn damaged_tables(&self) -> Result<Vec<String>, Error> {
+        self.damaged_among(|name| name.ends_with(".csv") || name.ends_with(".json"))
+    }
+
+    fn damaged_among(&self, wanted: impl Fn(&str) -> bool) -> Result<Vec<String>, Error> {
         let path = self.checksums();
-        let text = match fs::read_to_string(&path) {
-            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
-            text => text.map_err(Error::io(&path, "read this file"))?,
-        };
+        let Some(text) = self.sums()? else { return Ok(Vec::new()) };
         let found = |line: &str| {
             // A folder may come from anybody: nothing outside it is read, and nothing that has no end.
             let Some((digits, name)) = line.split_once("  ").filter(|(_, name)| is_inside(name)) else {
@@ -70,6 +99,9 @@ impl ResultFolder {
                     path.display()
                 ));
             };
+            if !wanted(name) {
+                return None;
+            }
             let file = self.root().join(name);
             if fs::metadata(&file).is_ok_and(|of| !of.is_file()) {
                 return Some(format!("{}: it is no file", file.display()));

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use tremolite_results::study::RunStatus;
+use tremolite_results::{Error, ResultFolder};
 
 use crate::measure::Results;
 
@@ -51,6 +52,16 @@ impl RunFolder {
         self.0.join("lock")
     }
 
+    /// Tables and summary that are not what the run that ended wrote, in words.
+    pub fn damaged(&self) -> Vec<String> {
+        match ResultFolder::open_existing(&self.results()).and_then(|results| results.damaged_tables()) {
+            Ok(damaged) => damaged,
+            // Of no results nothing is damaged.
+            Err(Error::NoResults { .. }) => Vec::new(),
+            Err(why) => vec![why.to_string()],
+        }
+    }
+
     /// Whether it holds this very case, and not one that has changed since.
     pub fn is_of(&self, bare: &str) -> bool {
         fs::read_to_string(self.bare()).is_ok_and(|kept| kept == bare)
@@ -87,6 +98,16 @@ impl Outcome {
         };
         let why = if status == RunStatus::Done { "" } else { found.text("outcome") };
         Outcome { status, why: why.to_owned(), program: found.program().to_owned() }
+    }
+
+    /// The same, but a run whose tables are not what it wrote, by the checksums beside them, is still to be run. This reads them all.
+    pub fn checked(folder: &RunFolder, bare: &str) -> Outcome {
+        let found = Outcome::of(folder, bare);
+        let damaged = if found.has_ended() { folder.damaged() } else { Vec::new() };
+        match damaged.first() {
+            Some(first) => Outcome { status: RunStatus::Pending, why: first.clone(), ..found },
+            None => found,
+        }
     }
 
     /// Whether nothing is left to do of it.

@@ -43,7 +43,7 @@ pub fn gather(study: &StudyFile, plan: &Plan, prepared: &[Prepared], out: &Path)
     let mut runs: Vec<StudyRun> = Vec::new();
     for (run, prepared) in plan.runs.iter().zip(prepared) {
         let folder = RunFolder::new(out, &run.name);
-        let outcome = Outcome::of(&folder, &prepared.bare);
+        let outcome = Outcome::checked(&folder, &prepared.bare);
         let root = folder.results();
         let results = if outcome.status == RunStatus::Done { Results::of(&root) } else { None };
         let numbers = study.measures.iter().enumerate().map(|(k, measure)| {

@@ -279,7 +279,7 @@ fn told(found: &Study, chosen: &[usize]) {
     let ended = chosen
         .iter()
         .map(|run| &found.runs[*run])
-        .filter(|run| matches!(run.status, Failed | Restless | Broken));
+        .filter(|run| matches!(run.status, Failed | Restless | Broken) || !run.why.is_empty());
     for run in ended.take(20) {
         let first: String = run.why.lines().next().unwrap_or_default().chars().take(160).collect();
         say(&format!("  {} {}: {first}", run.name, run.status.word()));

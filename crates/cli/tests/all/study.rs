@@ -473,6 +473,59 @@ fn hand_overs_stay_while_a_run_may_want_them_and_go_once_none_does() {
     assert_eq!(hand_overs(&folder.join("rows")), Vec::<String>::new());
 }
 
+/// Somebody, or a failing disk, changed a table of a run that was done: `--gather` takes no number from it, and the next start runs it again.
+#[test]
+fn a_run_whose_tables_were_changed_is_told_and_run_again() {
+    for keep in ["all", "tables"] {
+        let folder = folder(&format!("{STUDY}[run]\nkeep = \"{keep}\"\n"));
+        let folder = folder.path();
+        let done = study(folder, &["--out", "out"]);
+        assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+        let table = String::from_utf8(bytes(folder, "out/study.csv")).unwrap();
+        let run = "s1_north_0.04-m-s";
+        let results = folder.join(format!("out/runs/{run}/results"));
+        // What is not kept is not missed.
+        let report = || {
+            let mut report = Command::new(env!("CARGO_BIN_EXE_tremolite"));
+            said(&report.arg("report").arg(&results).output().unwrap())
+        };
+        assert!(!report().contains("the run wrote it"), "{}", report());
+
+        let path = results.join("monitors.csv");
+        let sound = fs::read_to_string(&path).unwrap();
+        let mut rows: Vec<String> = sound.lines().map(str::to_owned).collect();
+        let last = rows.last_mut().unwrap();
+        *last = last.replacen(',', ",9", 1);
+        let changed = rows.join("\n") + "\n";
+        fs::write(&path, &changed).unwrap();
+        assert!(report().contains("monitors.csv: it is not what the run wrote"), "{}", report());
+
+        let gathered = study(folder, &["--out", "out", "--gather"]);
+        assert_eq!(gathered.status.code(), Some(1), "{}", said(&gathered));
+        let told = format!("{run} pending: ");
+        assert!(
+            said(&gathered).contains(&told) && said(&gathered).contains("it is not what the run wrote"),
+            "{}",
+            said(&gathered)
+        );
+        let without = String::from_utf8(bytes(folder, "out/study.csv")).unwrap();
+        let rows = || table.lines().zip(without.lines());
+        for (with, without) in rows() {
+            assert_eq!(with == without, !with.starts_with(run), "{without}");
+        }
+        assert!(fs::read_to_string(&path).unwrap() == changed, "{keep}: nothing is touched");
+
+        let again = study(folder, &["--out", "out"]);
+        assert_eq!(again.status.code(), Some(0), "{}", said(&again));
+        assert!(said(&again).contains("results.old, and it is run again"), "{}", said(&again));
+        assert_eq!(said(&again).matches('…').count(), 1, "{}", said(&again));
+        assert!(fs::read_to_string(&path).unwrap() == sound);
+        assert!(String::from_utf8(bytes(folder, "out/study.csv")).unwrap() == table);
+        let old = folder.join(format!("out/runs/{run}/results.old/monitors.csv"));
+        assert!(fs::read_to_string(old).unwrap() == changed);
+    }
+}
+
 /// A motion that fits a spectrum in the mean over a band has the level 1; twice the spectrum is half of it.
 #[test]
 fn motions_are_scaled_to_a_target_spectrum_over_a_band() {

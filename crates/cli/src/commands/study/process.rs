@@ -50,6 +50,17 @@ impl Held {
         Ok(Some(held))
     }
 
+    /// Sets results aside whose tables are not what their run wrote, and says which; nothing while a process works there.
+    pub fn set_aside_damaged(folder: &RunFolder) -> Result<Option<String>, Failure> {
+        let Some(_lock) = locked(folder)? else { return Ok(None) };
+        let damaged = folder.damaged();
+        let Some(first) = damaged.first() else { return Ok(None) };
+        let aside = aside(&folder.results());
+        fs::rename(folder.results(), &aside)
+            .map_err(|e| Failure::failed(format!("{}: {e}", aside.display())))?;
+        Ok(Some(format!("{first}; what is there is kept as {}, and it is run again", aside.display())))
+    }
+
     /// Whether a process works in a folder, be it of a study that was killed.
     pub fn is_elsewhere(folder: &RunFolder) -> Result<bool, Failure> {
         Ok(locked(folder)?.is_none())

@@ -179,11 +179,15 @@ impl<'a> Queue<'a> {
         let mut k = 0;
         while k < inside.waiting.len() {
             let run = inside.waiting[k];
-            let has_ended = self.outcome(run).has_ended();
+            let mut has_ended = self.outcome(run).has_ended();
             if has_ended && Held::is_elsewhere(&self.folder(run))? {
                 // Its summary stands before its page does.
                 k += 1;
                 continue;
+            }
+            if has_ended && let Some(why) = Held::set_aside_damaged(&self.folder(run))? {
+                say(&format!("{}: {why}", self.plan.runs[run].name));
+                has_ended = false;
             }
             if has_ended || self.is_not_needed(run) {
                 inside.waiting.remove(k);
@@ -261,8 +265,9 @@ impl<'a> Queue<'a> {
 
     fn is_not_needed(&self, run: usize) -> bool {
         self.lower(run).any(|lower| {
-            let outcome = self.outcome(lower);
-            let results = self.folder(lower).results();
+            let folder = self.folder(lower);
+            let outcome = Outcome::checked(&folder, &self.planned[lower].prepared.bare);
+            let results = folder.results();
             let results = if outcome.status == RunStatus::Done { Results::of(&results) } else { None };
             let measure = |m| results.as_ref()?.number(m).ok().flatten();
             let measures = self.study.measures.iter().map(measure).collect();

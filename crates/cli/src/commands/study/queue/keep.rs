@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use tremolite_case::study::Keep;
-use tremolite_results::HAND_OVER;
 use tremolite_results::study::RunStatus;
+use tremolite_results::{HAND_OVER, ResultFolder};
 
 /// Folders of results that hold fields and figures alone.
 const FIELDS: [&str; 4] = ["fields", "interfaces", "stages", "bolts"];
@@ -33,7 +33,14 @@ impl Queue<'_> {
         FIELDS.iter().try_for_each(|fields| {
             remove(&root.join(fields), |path| fs::remove_dir_all(path))?;
             remove(&root.join(format!("{fields}.pvd")), |path| fs::remove_file(path))
-        })
+        })?;
+        let gone = |name: &str| {
+            let rest = |fields: &str| name.strip_prefix(fields);
+            FIELDS.into_iter().filter_map(rest).any(|rest| rest == ".pvd" || rest.starts_with('/'))
+        };
+        ResultFolder::open_existing(&root)
+            .and_then(|results| results.leave_out(gone))
+            .map_err(Failure::failed)
     }
 
     /// Removes what the runs of a group shook from once none of them can want it: none is left, and none was ended from outside, which is likely
