@@ -88,7 +88,15 @@ impl Outcome {
             return Outcome { status: RunStatus::Broken, why: why.trim().to_owned(), ..pending };
         }
         let results = folder.results();
-        let Some(found) = Results::of(&results) else { return pending };
+        let Some(found) = Results::of(&results) else {
+            let summary = results.join("summary.json");
+            let why = if summary.exists() {
+                format!("{}: it cannot be read", summary.display())
+            } else {
+                String::new()
+            };
+            return Outcome { why, ..pending };
+        };
         let status = match found.text("status") {
             "done" => RunStatus::Done,
             // A run that has shaken has books of its energy.

@@ -312,6 +312,16 @@ fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {
     assert_eq!(code(&other), 2);
     assert!(errors(&other).contains("from which the run was started"), "{}", errors(&other));
     change(&case, "young       = \"11 GPa\"", "young       = \"10 GPa\"");
+    // Nor with a table that was changed meanwhile; what tells it from what the run wrote stays.
+    let (sound, sums) = (std::fs::read(&monitors).unwrap(), folder.path().join("stopped/SHA256SUMS"));
+    let mut other = sound.clone();
+    other[15_000] ^= 1;
+    std::fs::write(&monitors, &other).unwrap();
+    let refused = tremolite(folder.path(), &resumed);
+    assert_eq!(code(&refused), 2, "{}", errors(&refused));
+    assert!(errors(&refused).contains("monitors.csv: changed since the checkpoint"), "{}", errors(&refused));
+    assert!(std::fs::read(&monitors).unwrap() == other && sums.exists());
+    std::fs::write(&monitors, sound).unwrap();
     let resumed = tremolite(folder.path(), &resumed);
     assert_eq!(code(&resumed), 0, "{}", errors(&resumed));
     assert_eq!(code(&tremolite(folder.path(), &["run", "study/case.toml", "--out", "whole"])), 0);

@@ -515,6 +515,13 @@ fn a_run_whose_tables_were_changed_is_told_and_run_again() {
         }
         assert!(fs::read_to_string(&path).unwrap() == changed, "{keep}: nothing is touched");
 
+        let summary = results.join("summary.json");
+        let whole = fs::read(&summary).unwrap();
+        fs::write(&summary, &whole[..whole.len() / 2]).unwrap();
+        let gathered = study(folder, &["--out", "out", "--gather"]);
+        assert!(said(&gathered).contains("summary.json: it cannot be read"), "{}", said(&gathered));
+        fs::write(&summary, whole).unwrap();
+
         let again = study(folder, &["--out", "out"]);
         assert_eq!(again.status.code(), Some(0), "{}", said(&again));
         assert!(said(&again).contains("results.old, and it is run again"), "{}", said(&again));

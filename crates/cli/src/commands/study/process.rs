@@ -2,6 +2,7 @@
 
 use crate::exit::Failure;
 use crate::machine;
+use crate::terminal::say;
 use std::fs::{self, File};
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -54,11 +55,7 @@ impl Held {
     pub fn set_aside_damaged(folder: &RunFolder) -> Result<Option<String>, Failure> {
         let Some(_lock) = locked(folder)? else { return Ok(None) };
         let damaged = folder.damaged();
-        let Some(first) = damaged.first() else { return Ok(None) };
-        let aside = aside(&folder.results());
-        fs::rename(folder.results(), &aside)
-            .map_err(|e| Failure::failed(format!("{}: {e}", aside.display())))?;
-        Ok(Some(format!("{first}; what is there is kept as {}, and it is run again", aside.display())))
+        damaged.first().map(|first| set_aside(&folder.results(), first)).transpose()
     }
 
     /// Whether a process works in a folder, be it of a study that was killed.
@@ -94,12 +91,11 @@ impl Held {
                         && (code == 2
                             || k == 0 && from_own_stages && no_checkpoint() && !self.has_summary()) =>
                 {
-                    // A checkpoint that is refused, of another version, is kept beside what begins anew.
+                    // What is refused, a checkpoint of another version or with other tables, is kept beside what begins anew.
                     if k == 0 && self.goes_on() {
-                        let results = self.folder.results();
-                        let aside = aside(&results);
-                        fs::rename(&results, &aside)
-                            .map_err(|e| Failure::failed(format!("{}: {e}", aside.display())))?;
+                        let why = said(&self.folder.log(), start);
+                        let why = why.lines().next().unwrap_or_default();
+                        say(&set_aside(&self.folder.results(), why)?);
                     }
                 }
                 // Its summary says more.
@@ -148,6 +144,13 @@ fn locked(folder: &RunFolder) -> Result<Option<File>, Failure> {
         // A file system without locks keeps nobody out.
         Err(fs::TryLockError::Error(_)) | Ok(()) => Ok(Some(file)),
     }
+}
+
+/// Sets results aside for a reason, which is told with their place.
+fn set_aside(results: &Path, why: &str) -> Result<String, Failure> {
+    let aside = aside(results);
+    fs::rename(results, &aside).map_err(|e| Failure::failed(format!("{}: {e}", aside.display())))?;
+    Ok(format!("{why}; what is there is kept as {}, and it is run again", aside.display()))
 }
 
 /// Where what was computed of an old case may go: NAME.old, NAME.old2 and so on.

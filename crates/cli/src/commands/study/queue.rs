@@ -186,7 +186,7 @@ impl<'a> Queue<'a> {
                 continue;
             }
             if has_ended && let Some(why) = Held::set_aside_damaged(&self.folder(run))? {
-                say(&format!("{}: {why}", self.plan.runs[run].name));
+                say(&why);
                 has_ended = false;
             }
             if has_ended || self.is_not_needed(run) {
