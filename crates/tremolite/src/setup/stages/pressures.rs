@@ -21,7 +21,7 @@ pub(super) struct Around<'a> {
 }
 
 /// Pressures that act in a stage: on the top plane, and between the void and groups on either side. A group on the side that
-/// stands is itself there, and no stand-in; one on the other is gone.
+/// stands is itself there, and no stand-in; one on the other is gone, or what stood in its place was excavated.
 pub(super) fn loads(
     case: &Case,
     stage: usize,
@@ -60,17 +60,17 @@ pub(super) fn loads(
     // The last word counts.
     let mut pressed: BTreeMap<Face, (&str, Press)> = BTreeMap::new();
     let mut told: HashSet<[&str; 2]> = HashSet::new();
+    let mut excavated = vec![false; mesh.elements.len()];
+    let patterns = case.stages.iter().take(stage).flat_map(|written| &written.excavate);
+    patterns.flat_map(|pattern| in_groups(mesh, pattern)).for_each(|e| excavated[e as usize] = true);
     for (pattern, p, now) in pressures {
         let mut inside = vec![false; mesh.elements.len()];
-        mesh.groups
-            .iter()
-            .filter(|(name, _)| pattern::matches(pattern, name))
-            .flat_map(|(_, elements)| elements)
-            .for_each(|&e| inside[e as usize] = true);
+        in_groups(mesh, pattern).for_each(|e| inside[e as usize] = true);
         let is_pressed = |face: &Face| {
             let own = shown[face.element as usize];
             let mut beside = walls.elements(mesh, *face).filter(|&e| e != own);
-            let gone = |e: u32| places[e as usize].born <= Stage::Before(stage as u16);
+            let gone =
+                |e: u32| places[e as usize].born <= Stage::Before(stage as u16) || excavated[e as usize];
             (own == face.element && inside[own as usize]) || beside.any(|e| inside[e as usize] && gone(e))
         };
         let faces: Vec<Face> = walls_here.iter().copied().filter(is_pressed).collect();
@@ -98,6 +98,17 @@ pub(super) fn loads(
     }
     acting.extend(pressed.into_iter().map(|(face, (_, p))| (face, tensor(p.on(mesh, face)))));
     acting
+}
+
+/// The elements of all groups that a pattern names.
+fn in_groups<'m>(mesh: &'m Mesh, pattern: &str) -> impl Iterator<Item = u32> + use<'m> {
+    let fitting: Vec<&Vec<u32>> = mesh
+        .groups
+        .iter()
+        .filter(|(name, _)| pattern::matches(pattern, name))
+        .map(|(_, elements)| elements)
+        .collect();
+    fitting.into_iter().flatten().copied()
 }
 
 /// What presses on faces.
