@@ -107,14 +107,13 @@ fn stage_of(life: Life) -> usize {
     }
 }
 
-/// What is unusual about a case's water.
-/// The problem has its mesh as it was read, bodies and interfaces.
 /// Heads of the case and its stages, with their places.
 fn heads(case: &Case) -> impl Iterator<Item = &(Spanned<String>, Spanned<f64>)> {
     let first = case.water.iter().flat_map(|water| &water.heads);
     first.chain(case.stages.iter().flat_map(|stage| &stage.water.heads))
 }
 
+/// What is unusual about a case's water. The problem has its mesh as it was read, bodies and interfaces.
 pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
     let (levels, Some(water)) = (levels(case), &case.water) else { return Vec::new() };
     let mesh = &space.mesh;
@@ -123,6 +122,10 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
     let flows = water.pressure.value == Pressure::Seepage;
     let below = staged.standing().filter(|_| !flows).find(|&(e, body, life)| {
         let Some(Stage::Before(gone)) = life.gone else { return false };
+        // Another material takes over, or something is placed in the same stage.
+        if staged.places[e as usize].holds(Stage::Before(gone)) {
+            return false;
+        }
         let porous = pores(case, staged.materials[body]).is_some();
         porous && mean(case, mesh, e as usize, levels[usize::from(gone)]) > 0.0
     });
@@ -180,7 +183,9 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
 fn tied(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
     let (levels, mesh) = (levels(case), &space.mesh);
     let mut of_element: Vec<Option<(usize, Life)>> = vec![None; mesh.elements.len()];
-    staged.own().for_each(|(e, body, life)| of_element[e as usize] = Some((body, life)));
+    // From when on something of its own stands there, whatever its material.
+    let since = |e: u32, life: Life| Life { born: staged.places[e as usize].born, ..life };
+    staged.own().for_each(|(e, body, life)| of_element[e as usize] = Some((body, since(e, life))));
     let mut faces: BTreeMap<[u32; 4], Vec<u32>> = BTreeMap::new();
     all_faces(mesh, None).for_each(|face| faces.entry(face_key(mesh, face)).or_default().push(face.element));
     let parted = |a: u32, b: u32| {

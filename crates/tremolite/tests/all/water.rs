@@ -129,6 +129,34 @@ fn what_is_not_there_yet_or_has_no_water_is_refused_with_a_way_out() {
     assert!(job(&dry).is_ok());
 }
 
+/// Ground of 10 m that is dug away, pressed on or filled with water, and filled in again: under the name of what was there the floor is pressed as
+/// under the name of the floor, though the fill stands later under the same name.
+#[test]
+fn a_pit_that_is_filled_in_later_is_pressed_under_its_own_name() {
+    let pit = |pressed: &str| {
+        let part = "elements = 18 }\npart = [{ group = \"pit\", z = [\"-32 m\", \"0 m\"] }, { group = \"floor\", z = [\"-288 m\", \"-32 m\"] }]";
+        let fill = "[material.fill]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.25\nunit_weight = \"20 kN/m3\"\nwater = \"none\"\n\
+                    [[region]]\ngroups = [\"pit\"]\nmaterial = \"fill\"\nbefore = \"rock\"\nelement = \"one-point\"\n[initial]";
+        let ground = GROUND
+            .replace("elements = 18 }", part)
+            .replace("[initial]", fill)
+            .replace("groups = [\"*\"]", "groups = [\"floor\"]");
+        let dig = format!("[[stage]]\nname = \"dig\"\nexcavate = [\"pit\"]\n{pressed}\n");
+        stages(&format!("{ground}{dig}[[stage]]\nname = \"fill\"\ninstall = [\"pit\"]\n"))
+    };
+    // 27 kN/m³ over 168 m, and what presses on the floor; in the second stage the fill with what is on its own top, nothing.
+    for (pressed, p) in [
+        ("pressure = { pit = \"0.5 MPa\" }", 0.5e6),
+        ("pressure = { floor = \"0.5 MPa\" }", 0.5e6),
+        ("water = { filled = { pit = \"0 m\" } }", 32.0 * 9810.0),
+        ("water = { filled = { floor = \"0 m\" } }", 32.0 * 9810.0),
+        ("", 0.0),
+    ] {
+        let stages = pit(pressed);
+        near(at_a(&stages[1], "szz"), -168.0 * 27e3 - p, 1e-3);
+    }
+}
+
 const HALL: &str = r#"title = "hall in wet rock"
 [mesh.file]
 path = "hall.msh"
@@ -169,6 +197,14 @@ name = "fill"
 water = { level = "-20 m" }
 "#;
 
+const GROUTED: &str = r#"[material.grouted]
+law = "elastic"
+young = "4 GPa"
+poisson = 0.25
+unit_weight = "27 kN/m3"
+water = { biot = 1 }
+"#;
+
 /// What is said of a hall in a block of 60 × 10 × 60 m, 20 m wide, with a shell of 5 m.
 fn told(text: &str) -> Vec<String> {
     let mut mesh = BoxSpec::uniform([0.0, 0.0, -60.0], [60.0, 10.0, 0.0], [12, 2, 12]).mesh().unwrap();
@@ -196,6 +232,15 @@ fn openings_below_the_level_and_linings_tied_to_wet_rock_are_warned_of() {
     let still = HALL.replace("water = { level = \"-70 m\" }\n", "").replace("\"-20 m\"", "\"-5 m\"");
     let said = told(&still);
     assert!(has(&said, below) && !has(&said, tied), "{said:?}");
+    // Rock that becomes another takes nothing out; and if its water changes in that very stage, the lining misses the head as well.
+    let ground = GROUND.replacen("[[region]]", &format!("{GROUTED}[[region]]"), 1);
+    let said = job(&format!("{ground}{STAGE}material = {{ rock = \"grouted\" }}\n")).unwrap().said();
+    assert!(!has(&said, below), "{said:?}");
+    let both = HALL
+        .replace("name = \"fill\"", "name = \"fill\"\nmaterial = { rock = \"grouted\" }")
+        .replacen("[[region]]", &format!("{GROUTED}[[region]]"), 1);
+    let said = told(&both);
+    assert!(!has(&said, below) && has(&said, tied), "{said:?}");
     let joint = "[[interface]]\nname = \"joint\"\nbetween = [\"shell\", \"rock\"]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction = 0.6\ncohesion = \"0 Pa\"\n";
     let said = told(&HALL.replace("[initial]", &format!("{joint}[initial]")));
     assert!(!has(&said, tied), "{said:?}");
