@@ -4,7 +4,7 @@ mod doubtful;
 
 use super::groups::nothing_fits;
 use crate::sections::{Station, stations};
-use doubtful::{Laid, too_much, too_thick, too_thin, twice};
+use doubtful::{Laid, not_in_slabs, too_much, too_thick, too_thin, twice};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use tremolite_case::{BarDirection, BarFace, Case, Diagnostic, Reinforcement, pattern};
 use tremolite_engine::{Bar, Bolts, Life, Stage};
@@ -50,6 +50,11 @@ pub fn build(
                 break;
             }
             warnings.extend(too_much(steel, name, &stations).filter(|_| warnings.is_empty()));
+            let at_sides = |(station, leg): &(&Station, Leg)| {
+                let nodes = station.stack.iter().flat_map(|(e, _)| mesh.elements[*e as usize].nodes());
+                not_in_slabs(case, steel, mesh, nodes.copied(), &leg.ends)
+            };
+            warnings.extend(legs_of(steel, &stations).iter().find_map(at_sides));
             if let Some(problem) = twice(steel, name, elements, &mut laid) {
                 problems.push(problem);
                 break;

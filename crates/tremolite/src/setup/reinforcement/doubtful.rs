@@ -2,7 +2,9 @@
 
 use crate::sections::Station;
 use std::collections::HashMap;
-use tremolite_case::{BarDirection, BarFace, Diagnostic, Reinforcement};
+use tremolite_case::{BarDirection, BarFace, Case, Diagnostic, Reinforcement, Side};
+use tremolite_engine::outer_faces::NEAR;
+use tremolite_mesh::Mesh;
 
 pub fn too_thin(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Diagnostic> {
     let thinnest = stations.iter().map(|s| s.thickness).min_by(f64::total_cmp)?;
@@ -35,6 +37,41 @@ fn millimetres(length: f64) -> String {
         many => format!("{many:.0} mm"),
     }
 }
+
+/// A bar that lies along a free-field side in an element at it: the slab outside stands for the same section, and has no bars.
+pub fn not_in_slabs(
+    case: &Case,
+    steel: &Reinforcement,
+    mesh: &Mesh,
+    nodes: impl Iterator<Item = u32>,
+    [from, to]: &[[f64; 3]; 2],
+) -> Option<Diagnostic> {
+    case.motion.as_ref()?;
+    let nodes: Vec<[f64; 3]> = nodes.map(|n| mesh.nodes[n as usize]).collect();
+    let bounds = mesh.bounds();
+    let length = (0..3).map(|i| (to[i] - from[i]).powi(2)).sum::<f64>().sqrt();
+    let along = |axis: usize| (to[axis] - from[axis]).abs() < ALONG * length;
+    let at = |axis: usize| {
+        let near = NEAR * (bounds.1[axis] - bounds.0[axis]);
+        [bounds.0, bounds.1].iter().any(|end| nodes.iter().any(|x| (x[axis] - end[axis]).abs() < near))
+    };
+    let free = |axis: &usize| case.dynamic.sides[*axis].value == Side::FreeField;
+    let axis = (0..2).filter(free).find(|&axis| along(axis) && at(axis))?;
+    let name = ["x", "y"][axis];
+    Some(Diagnostic::at(
+        steel.on.first()?,
+        format!(
+            "bars lie in the free-field side across {name}: the slab outside has this lining without them, and drives it there as a plain \
+             lining would"
+        ),
+        format!(
+            "write sides = {{ {name} = \"periodic\" }} or \"symmetry\" where the cavern goes on like this, or let it end in rock before the side"
+        ),
+    ))
+}
+
+/// A way along a side over the length of a bar up to which it lies along it.
+const ALONG: f64 = 0.1;
 
 /// Thicker \[m\] than linings are.
 const THICKEST: f64 = 5.0;

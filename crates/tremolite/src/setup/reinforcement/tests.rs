@@ -305,3 +305,33 @@ fn corners_without_a_thickness_are_counted() {
     let [warning] = &warnings[..] else { panic!("{warnings:?}") };
     assert!(warning.message.starts_with("4 of "), "{warning:?}");
 }
+
+/// The slab outside a free-field side stands for the section at it, and has no bars: told of bars that lie along the side, and of no others.
+#[test]
+fn bars_in_a_free_field_side_are_told() {
+    let mesh = cavern(CavernShape::Arch, 1.2);
+    let shaken = |sides: &str| {
+        format!(
+            "[motion]\nkind = \"incident\"\neast = {{ file = \"a.txt\" }}\n[dynamic]\nbase = \"viscous\"\nsides = {sides}\nduration = \"1 s\"\n"
+        )
+    };
+    let said = |direction: &str, more: &str| {
+        let (_, problems, warnings) = built(&steel("*.lining", "6 cm", direction, more), &mesh, None);
+        assert!(problems.is_empty(), "{problems:?}");
+        warnings.into_iter().map(|w| format!("{} ({})", w.message, w.remedy)).collect::<Vec<_>>()
+    };
+    for sides in ["\"free-field\"", "{ x = \"periodic\", y = \"free-field\" }"] {
+        let told = said("across", &shaken(sides));
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(
+            told[0].contains("free-field side across y") && told[0].contains("y = \"periodic\""),
+            "{told:?}"
+        );
+        assert!(said("along", &shaken(sides)).is_empty());
+    }
+    for sides in ["{ x = \"free-field\", y = \"periodic\" }", "{ x = \"free-field\", y = \"symmetry\" }"] {
+        assert!(said("across", &shaken(sides)).is_empty(), "{sides}");
+    }
+    // Before an earthquake sides are rollers.
+    assert!(said("across", "").is_empty());
+}
