@@ -253,7 +253,13 @@ pub fn of_motion(
         warnings.push(case::Diagnostic::new(
             case.motion.as_ref().map_or(0..0, |written| written.span.clone()),
             format!("the motion ends at {:.0} % of its largest displacement, which the model follows", 100.0 * drift),
-            "put \"baseline\" last in motion.process, behind filter and taper; a high-pass alone may make it worse",
+            match case.motion.as_ref().map(|motion| motion.kind.value) {
+                Some(case::MotionKind::Within | case::MotionKind::Surface) => {
+                    "this is the wave found from the record, which may ring on where the record ends: put some seconds of zeros behind the \
+                     record; if the record drifts itself, \"baseline\" last in motion.process"
+                }
+                _ => "put \"baseline\" last in motion.process, behind filter and taper; a high-pass alone may make it worse",
+            },
         ));
     }
     if let (Some(band), Some(reference)) = (&case.dynamic.band, reference)
