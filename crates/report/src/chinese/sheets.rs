@@ -200,6 +200,13 @@ pub const TEXTS: Texts = &[
     ("{left} at the end", "震\u{2060}后\u{a0}{left}"),
     ("Crushed or sheared share of a lining's volume", "衬砌压碎或剪坏体积比"),
     ("Limits of acceptance not met: {names}.", "不满足的验收限值：{names}。"),
+    (
+        "Limits of acceptance not met: {names}; of {unknown} more nothing is known.",
+        "不满足的验收限值：{names}；另有 {unknown} 项未知。",
+    ),
+    ("The one limit of acceptance is met.", "唯一的验收限值已满足。"),
+    ("No limit of acceptance is known to be met.", "尚无验收限值可确认满足。"),
+    ("met so far", "目前满足"),
     ("All {met} limits of acceptance are met.", "{met} 项验收限值全部满足。"),
     (
         "{met} of {all} limits of acceptance are met; of the others nothing is known.",

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use tremolite_results::study::StudyLimit;
-use tremolite_results::{Cracks, Summary};
+use tremolite_results::{Cracks, Status, Summary};
 
 use crate::damage::{direction, told};
 use crate::facts::key_results::{largest_displacement, largest_relative, loose_monitors};
@@ -62,6 +62,7 @@ type Found = Option<(f64, String, String)>;
 /// The limits that the case or the command gave.
 pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
     let language = source.language;
+    let ended = summary.conclusion.status == Status::Done;
     let found_of = |name: &str, limit: f64| match name {
         "displacement" => (
             say!(language, "Displacement of a monitor"),
@@ -109,6 +110,8 @@ pub fn rows(source: &Source, summary: &Summary) -> Vec<LimitRow> {
             None if idle => ("none", say!(language, "does not apply")),
             None => ("none", say!(language, "not known")),
             // What is no number is beyond every limit.
+            // Not met is final, met is not before the end.
+            Some((value, ..)) if *value <= limit && !ended => ("none", say!(language, "met so far")),
             Some((value, ..)) if *value <= limit => ("pass", say!(language, "met")),
             Some(_) => ("fail", say!(language, "not met")),
         };
@@ -290,11 +293,28 @@ pub fn verdict(language: Language, rows: &[LimitRow]) -> Option<(&'static str, S
     match (rows.is_empty(), beyond.is_empty()) {
         (true, _) => None,
         (false, false) => {
+            let unknown = rows.len() - met - beyond.len();
             let names = beyond.join(&say!(language, "; "));
-            Some(("bad", say!(language, "Limits of acceptance not met: {names}.", names = names)))
+            let text = match unknown {
+                0 => say!(language, "Limits of acceptance not met: {names}.", names = names),
+                unknown => say!(
+                    language,
+                    "Limits of acceptance not met: {names}; of {unknown} more nothing is known.",
+                    names = names,
+                    unknown = unknown
+                ),
+            };
+            Some(("bad", text))
         }
         (false, true) if met == rows.len() => {
-            Some(("good", say!(language, "All {met} limits of acceptance are met.", met = met)))
+            let text = match met {
+                1 => say!(language, "The one limit of acceptance is met."),
+                met => say!(language, "All {met} limits of acceptance are met.", met = met),
+            };
+            Some(("good", text))
+        }
+        (false, true) if met == 0 => {
+            Some(("warn", say!(language, "No limit of acceptance is known to be met.")))
         }
         (false, true) => Some((
             "warn",
