@@ -90,7 +90,7 @@ impl Column {
     }
 
     /// The column of a header, whose as yet nobody said.
-    pub(crate) fn parse(header: &str) -> Self {
+    pub fn parse(header: &str) -> Self {
         let header = header.trim();
         let (name, rest) = header.split_once(char::is_whitespace).unwrap_or((header, ""));
         let unit = rest.trim().trim_start_matches('[').trim_end_matches(']').trim();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::Value;
 use tremolite_case::study::{Checks, Measure, MeasureOf, Take};
-use tremolite_results::Table;
+use tremolite_results::{Column, Table};
 
 /// What a run left, to take numbers out of.
 pub struct Results<'a> {
@@ -79,13 +79,13 @@ impl<'a> Results<'a> {
         match &measure.of {
             MeasureOf::Summary { .. } | MeasureOf::Checks(_) => None,
             MeasureOf::Column { table, column, .. } => {
-                Table::read(&self.folder.join(&table.value)).ok()?.unit(column).map(str::to_owned)
+                read(&self.folder.join(&table.value), column).ok()?.unit(column).map(str::to_owned)
             }
         }
     }
 
     fn column(&self, table: &str, column: &str, take: Take) -> Result<f64, String> {
-        let read = Table::read(&self.folder.join(table)).map_err(|e| e.to_string())?;
+        let read = read(&self.folder.join(table), column)?;
         let Some(values) = read.column(column) else {
             let names: Vec<&str> = read.columns.iter().map(|c| c.name.as_str()).collect();
             return Err(format!("{table} has no column `{column}`; {}", suggestion(column, &names)));
@@ -179,6 +179,37 @@ fn suggestion(wanted: &str, known: &[&str]) -> String {
     }
 }
 
+/// A table of numbers; of one with words in it, as stages.csv has names, the columns without, and the wanted one.
+fn read(path: &Path, wanted: &str) -> Result<Table, String> {
+    let why = match Table::read(path) {
+        Ok(table) => return Ok(table),
+        Err(why) => why.to_string(),
+    };
+    let Ok(mut reader) = csv::Reader::from_path(path) else { return Err(why) };
+    let headers: Vec<Column> = reader.headers().map_err(|_| why)?.iter().map(Column::parse).collect();
+    let mut values: Vec<Option<Vec<f64>>> = vec![Some(Vec::new()); headers.len()];
+    for (row, record) in reader.records().enumerate() {
+        let record = record.map_err(|e| format!("{}: {e}", path.display()))?;
+        for ((cell, column), header) in record.iter().zip(&mut values).zip(&headers) {
+            let number = if cell.is_empty() { Some(f64::NAN) } else { cell.trim().parse().ok() };
+            match (column.as_mut(), number) {
+                (Some(column), Some(number)) => column.push(number),
+                (Some(_), None) if header.name == wanted => {
+                    return Err(format!(
+                        "{}, line {}: '{cell}' in column '{wanted}' is no number",
+                        path.display(),
+                        row + 2
+                    ));
+                }
+                _ => *column = None,
+            }
+        }
+    }
+    let (headers, values) =
+        headers.into_iter().zip(values).filter_map(|(header, values)| Some((header, values?))).unzip();
+    Ok(Table::new(headers, values))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -234,6 +265,20 @@ mod tests {
             (Take::Last, 2.0),
         ] {
             assert_eq!(results.column("m.csv", "u", take), Ok(number), "{take:?}");
+        }
+        // Beside words.
+        let stages = "stage,name,u [m],v [m]\n0,\"rock, at rest\",1,\n1,dig,-3,2\n2,line,x,4\n";
+        std::fs::write(folder.path().join("stages.csv"), stages).unwrap();
+        assert_eq!(results.column("stages.csv", "v", Take::First), Ok(2.0));
+        assert_eq!(results.column("stages.csv", "stage", Take::Last), Ok(2.0));
+        assert_eq!(read(&folder.path().join("stages.csv"), "v").unwrap().unit("v"), Some("m"));
+        for (column, says) in [
+            ("u", "line 4: 'x' in column 'u' is no number"),
+            ("name", "no number"),
+            ("w", "there are stage, v"),
+        ] {
+            let why = results.column("stages.csv", column, Take::Max).unwrap_err();
+            assert!(why.contains(says), "{why}");
         }
         assert!(results.column("m.csv", "U", Take::Max).unwrap_err().contains("did you mean `u`?"));
         assert!(results.column("n.csv", "u", Take::Max).is_err());
