@@ -42,6 +42,19 @@ pub(super) fn loads(
         let filled = written.water.filled.iter();
         let filled = filled.map(|(pattern, level)| (pattern, Press::Water { level: level.value, weight }));
         for (pattern, press) in even.chain(filled) {
+            let here = |(name, _, now): &(&str, Press, Option<&Spanned<String>>)| {
+                *name == pattern.value && now.is_some()
+            };
+            if k + 1 == stage && pressures.iter().any(here) {
+                warnings.push(Diagnostic::at(
+                    pattern,
+                    format!(
+                        "'{}' is pressed on and full of water in one stage: the water alone counts",
+                        pattern.value
+                    ),
+                    "give one of the two; water presses as it is deep",
+                ));
+            }
             pressures.retain(|(name, ..)| *name != pattern.value);
             pressures.push((pattern.value.as_str(), press, (k + 1 == stage).then_some(pattern)));
         }
