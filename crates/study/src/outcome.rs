@@ -62,6 +62,15 @@ impl RunFolder {
         }
     }
 
+    /// Why the summary of a run that ended or was stopped cannot be read; nothing where it can, or there was none.
+    pub fn lost_summary(&self) -> Option<String> {
+        let results = self.results();
+        let summary = results.join("summary.json");
+        let was_there = summary.exists() || results.join("SHA256SUMS").exists();
+        (was_there && Results::of(&results).is_none())
+            .then(|| format!("{}: it cannot be read", summary.display()))
+    }
+
     /// Whether it holds this very case, and not one that has changed since.
     pub fn is_of(&self, bare: &str) -> bool {
         fs::read_to_string(self.bare()).is_ok_and(|kept| kept == bare)
@@ -89,13 +98,7 @@ impl Outcome {
         }
         let results = folder.results();
         let Some(found) = Results::of(&results) else {
-            let summary = results.join("summary.json");
-            let why = if summary.exists() {
-                format!("{}: it cannot be read", summary.display())
-            } else {
-                String::new()
-            };
-            return Outcome { why, ..pending };
+            return Outcome { why: folder.lost_summary().unwrap_or_default(), ..pending };
         };
         let status = match found.text("status") {
             "done" => RunStatus::Done,

@@ -284,6 +284,9 @@ fn told(found: &Study, chosen: &[usize]) {
         let first: String = run.why.lines().next().unwrap_or_default().chars().take(160).collect();
         say(&format!("  {} {}: {first}", run.name, run.status.word()));
     }
+    if count(Broken) > 0 {
+        say("  --retry broken runs those again that were refused or ended from outside");
+    }
     for fragility in &found.fragilities {
         let name = format!("{} above {} by {}", fragility.measure, fragility.above, fragility.by);
         match &fragility.fit {

@@ -401,7 +401,8 @@ fn a_leader_that_was_killed_does_not_go_through_its_stages_again() {
     assert!(!log.contains("--from"), "{log}");
     let kept = |name: &str| fs::read(results.join(name)).unwrap();
     let (stages, monitors) = (kept("stages.csv"), kept("monitors.csv"));
-    fs::remove_file(results.join("summary.json")).unwrap();
+    // As a run that goes on leaves it.
+    ["summary.json", "SHA256SUMS"].iter().for_each(|name| fs::remove_file(results.join(name)).unwrap());
     fs::write(results.join("monitors.csv"), &monitors[..monitors.len() / 2]).unwrap();
     fs::remove_dir_all(folder.join("out/runs/s1_north_0.02-m-s")).unwrap();
     let began = results.join("checkpoint/hand-over.bin");
@@ -422,7 +423,7 @@ fn a_leader_that_was_killed_does_not_go_through_its_stages_again() {
 
     // Of another version they cannot be gone on from: it begins anew.
     fs::write(&began, "of another version").unwrap();
-    fs::remove_file(results.join("summary.json")).unwrap();
+    ["summary.json", "SHA256SUMS"].iter().for_each(|name| fs::remove_file(results.join(name)).unwrap());
     let again = study(folder, &["--out", "out"]);
     assert_eq!(again.status.code(), Some(0), "{}", said(&again));
     assert!(kept("monitors.csv") == monitors && bytes(folder, "out/study.csv") == table);
@@ -520,6 +521,16 @@ fn a_run_whose_tables_were_changed_is_told_and_run_again() {
         fs::write(&summary, &whole[..whole.len() / 2]).unwrap();
         let gathered = study(folder, &["--out", "out", "--gather"]);
         assert!(said(&gathered).contains("summary.json: it cannot be read"), "{}", said(&gathered));
+        let again = study(folder, &["--out", "out"]);
+        assert_eq!(again.status.code(), Some(0), "{}", said(&again));
+        assert!(
+            said(&again).contains("summary.json: it cannot be read; what is there is kept"),
+            "{}",
+            said(&again)
+        );
+        assert!(fs::read_to_string(&path).unwrap() == sound);
+        fs::remove_dir_all(&results).unwrap();
+        fs::rename(folder.join(format!("out/runs/{run}/results.old")), &results).unwrap();
         fs::write(&summary, whole).unwrap();
 
         let again = study(folder, &["--out", "out"]);

@@ -51,11 +51,11 @@ impl Held {
         Ok(Some(held))
     }
 
-    /// Sets results aside whose tables are not what their run wrote, and says which; nothing while a process works there.
+    /// Sets results aside whose tables are not what their run wrote, or whose summary is lost, and says which; nothing while a process works there.
     pub fn set_aside_damaged(folder: &RunFolder) -> Result<Option<String>, Failure> {
         let Some(_lock) = locked(folder)? else { return Ok(None) };
-        let damaged = folder.damaged();
-        damaged.first().map(|first| set_aside(&folder.results(), first)).transpose()
+        let why = folder.lost_summary().or_else(|| folder.damaged().into_iter().next());
+        why.map(|why| set_aside(&folder.results(), &why)).transpose()
     }
 
     /// Whether a process works in a folder, be it of a study that was killed.

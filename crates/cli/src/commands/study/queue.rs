@@ -82,7 +82,9 @@ pub fn retry(
             RunStatus::Broken => vec![folder.broken()],
             _ => {
                 let checkpoints = CHECKPOINTS.map(|name| results.join("checkpoint").join(name));
-                std::iter::once(results.join("summary.json")).chain(checkpoints).collect()
+                // Without checksums nothing is missed of it.
+                let ended = ["SHA256SUMS", "summary.json"].map(|name| results.join(name));
+                ended.into_iter().chain(checkpoints).collect()
             }
         };
         for file in files {
@@ -185,7 +187,8 @@ impl<'a> Queue<'a> {
                 k += 1;
                 continue;
             }
-            if has_ended && let Some(why) = Held::set_aside_damaged(&self.folder(run))? {
+            let doubtful = has_ended || self.folder(run).lost_summary().is_some();
+            if doubtful && let Some(why) = Held::set_aside_damaged(&self.folder(run))? {
                 say(&why);
                 has_ended = false;
             }
