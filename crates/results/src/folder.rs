@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use crate::{Error, columns};
+use crate::{Error, Status, Summary, columns};
 
 /// What stages leave beside a checkpoint for other runs to begin with: the run itself goes on from it where it has nothing later.
 pub const HAND_OVER: &str = "hand-over.bin";
@@ -114,12 +114,19 @@ impl ResultFolder {
         }
     }
 
-    /// Whether a folder holds what its run can go on from: a checkpoint, or what its earthquake began with. A run that ended keeps that for
-    /// others alone.
+    /// Whether a folder holds what its run can go on from: a checkpoint, or what its earthquake began with, where a run was killed or stopped and
+    /// its checkpoint is lost. A run that ended keeps that for others alone.
     pub fn goes_on(root: &Path) -> bool {
         let folder = ResultFolder { root: root.to_owned(), _lock: None };
         let has = |name: &str| folder.checkpoint().join(name).is_file();
-        CHECKPOINTS.into_iter().any(has) || has(HAND_OVER) && !folder.summary().exists()
+        CHECKPOINTS.into_iter().any(has) || has(HAND_OVER) && !folder.has_ended()
+    }
+
+    /// Whether a run came to an end here, good or bad. One that was stopped did not.
+    fn has_ended(&self) -> bool {
+        self.summary().exists()
+            && Summary::read(&self.summary())
+                .is_ok_and(|summary| summary.conclusion.status != Status::Stopped)
     }
 
     /// Whether a run was killed here before it had anything to go on from: it has begun, and neither ended nor left a checkpoint.
@@ -465,7 +472,7 @@ fn no_checkpoint(root: &Path) -> Error {
     Error::NoResults {
         path: root.to_owned(),
         what: if root.join("summary.json").exists() {
-            "this run is complete, or was stopped before its first checkpoint: there is nothing to go on with"
+            "this run came to its end, or its checkpoint is missing: there is nothing to go on with; --overwrite begins it anew"
                 .into()
         } else {
             "no checkpoint to resume from; run without --resume".into()

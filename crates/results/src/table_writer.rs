@@ -32,13 +32,15 @@ impl TableWriter {
         Ok(writer)
     }
 
-    /// Opens a table to go on with it behind what [`TableWriter::extent`] told at a checkpoint. What was written later is cut off.
+    /// Opens a table to go on with it behind what [`TableWriter::extent`] told at a checkpoint. What was written later is cut off, and whose
+    /// columns they are is written again.
     ///
     /// # Errors
     /// [`Error::Format`] if the file is shorter, has other columns, does not break after a row there, or does not hold what it held:
     /// it is not the file of that checkpoint. It is then left as it is. [`Error::Io`].
     pub fn resume(path: &Path, columns: &[Column], extent: Extent) -> Result<Self, Error> {
         let file = GrowingFile::resume(path, &header(path, columns)?, extent)?;
+        columns::write(path, columns)?;
         Ok(TableWriter { file, columns: columns.len(), text: String::new() })
     }
 

@@ -27,7 +27,7 @@ const NEXT: &str = "state.next.bin";
 pub enum CheckpointError {
     #[error("{}: {source}", path.display())]
     Io { path: PathBuf, source: std::io::Error },
-    #[error("{}: {problem}; start the run again without it", path.display())]
+    #[error("{}: {problem}; begin the run anew (--overwrite)", path.display())]
     Damaged { path: PathBuf, problem: String },
     #[error(
         "{}: the checkpoint belongs to another model or plan; resume with the case it was made from, or start the \

@@ -225,6 +225,8 @@ impl Simulation {
         match start {
             Start::Rest => simulation.state = simulation.at_rest(),
             Start::Resume if checkpoint::is_hand_over_alone(&folder.checkpoint()) => {
+                simulation.fallen_back =
+                    Some("no checkpoint is there; the run goes on from where the earthquake began".into());
                 simulation.shake_from(folder)?
             }
             Start::Resume => simulation.restore()?,

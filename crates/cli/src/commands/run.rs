@@ -233,7 +233,11 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
     {
         log.say(&format!("warning: {why}"));
     }
-    let outcome = tremolite::run::run(simulation.map_err(refused)?, &mut control);
+    let simulation = simulation.map_err(|why| {
+        log.keep(&format!("error: {why}"));
+        refused(why)
+    })?;
+    let outcome = tremolite::run::run(simulation, &mut control);
     line.end();
     let outcome = outcome.map_err(Failure::failed)?;
     let busy = ranks.map(|ranks| busy(&ranks, outcome.held));

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use tremolite_results::{Error, ResultFolder, replace_file};
+use tremolite_results::{Error, HAND_OVER, ResultFolder, Status, Summary, replace_file};
 
 #[test]
 fn runs_of_one_case_are_numbered_on_and_the_last_with_a_checkpoint_is_resumed() {
@@ -138,4 +138,21 @@ fn a_folder_that_a_run_writes_into_is_refused_to_others_until_the_run_ends() {
     drop(ResultFolder::resume(Some(&first), "x").unwrap());
     ResultFolder::create(Some(&first), "x", true).unwrap();
     assert!(!first.join("summary.json").exists());
+}
+
+/// What the earthquake began with is enough for a run that was killed or stopped and whose checkpoints are lost; one that ended keeps it for others.
+#[test]
+fn a_run_that_did_not_end_goes_on_from_where_its_earthquake_began() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = ResultFolder::create(Some(temp.path()), "cavern", false).unwrap();
+    fs::create_dir(folder.checkpoint()).unwrap();
+    assert!(!ResultFolder::goes_on(temp.path()));
+    fs::write(folder.checkpoint().join(HAND_OVER), "x").unwrap();
+    assert!(ResultFolder::goes_on(temp.path()));
+    for (status, goes_on) in [(Status::Stopped, true), (Status::Failed, false), (Status::Done, false)] {
+        let mut summary = Summary::default();
+        summary.conclusion.status = status;
+        summary.write(&folder.summary()).unwrap();
+        assert_eq!(ResultFolder::goes_on(temp.path()), goes_on, "{status:?}");
+    }
 }

@@ -102,7 +102,10 @@ impl Job {
             }
             self.check_kept(folder.root())?;
         }
-        replace_file(&folder.case(), source)?;
+        // What is resumed has it.
+        if !folder.case().exists() || !matches!(start, Start::Resume) {
+            replace_file(&folder.case(), source)?;
+        }
         Ok(Begun { earlier, ..self.join(folder, start) })
     }
 

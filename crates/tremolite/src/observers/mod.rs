@@ -60,6 +60,7 @@ pub use run_table::RunTable;
 pub(crate) use run_table::check as check_tables;
 pub use section_forces::{SectionForces, SectionTable};
 pub use spectra::Spectra;
+pub(crate) use stages::write_tables as write_stage_tables;
 pub use stages::{Beginning, Beside, summaries, uneven};
 pub use steps::{Extremes, StepPeaks};
 pub use utilisation::{Utilisation, strengths};

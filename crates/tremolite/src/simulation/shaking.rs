@@ -7,7 +7,7 @@ use super::{Simulation, Whole};
 use crate::error::RunError;
 use crate::history::History;
 use crate::motion_table;
-use crate::observers::{Apart, Audience, Event, LaidOut, Stepped, View, summaries};
+use crate::observers::{Apart, Audience, Event, LaidOut, Stepped, View, summaries, write_stage_tables};
 use crate::places;
 use crate::transfer_table;
 use std::sync::Arc;
@@ -118,8 +118,11 @@ impl Simulation {
             state.observers.insert(DRIFT.into(), vec![drift]);
         }
         let first = state.steps();
+        // Also where a run goes on: what stands there may have been changed.
+        if writes && !plan.stages.is_empty() {
+            write_stage_tables(folder, model, plan, &state.observers)?;
+        }
         if let Some(incident) = &model.boundaries.incident
-            && first == 0
             && writes
         {
             let given = plan.recorded.as_ref().map(|recorded| &recorded.motion);
@@ -129,7 +132,6 @@ impl Simulation {
             }
         }
         if let Some(waves) = &plan.waves
-            && first == 0
             && writes
         {
             let incident = Incident { motion: waves.incident.clone(), factor: 1.0 };

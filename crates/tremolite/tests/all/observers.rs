@@ -387,7 +387,15 @@ fn a_table_that_was_changed_since_its_checkpoint_is_named_and_nothing_goes_on_wi
         assert_eq!(fs::read(&path).unwrap(), changed, "{table}");
         fs::write(&path, &sound).unwrap();
     }
-    // What came later is no matter.
+    // What the state holds is written again; and what came later is no matter.
+    for table in ["stages.csv", "relaxation.csv", "motion.csv", "monitors.columns.json", "bolts.csv"] {
+        assert!(parts.path().join(table).exists(), "{table}");
+    }
+    fs::write(parts.path().join("stages.csv"), "stage,name\n0,other\n").unwrap();
+    fs::write(parts.path().join("monitors.columns.json"), "[]").unwrap();
+    ["relaxation.csv", "motion.csv"]
+        .iter()
+        .for_each(|table| fs::remove_file(parts.path().join(table)).unwrap());
     let path = parts.path().join("monitors.csv");
     let later = fs::read(&path).unwrap();
     fs::write(&path, [&later[..], b"9,9"].concat()).unwrap();

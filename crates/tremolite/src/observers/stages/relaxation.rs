@@ -20,17 +20,18 @@ impl Relaxation {
     pub fn new(setting: &Setting) -> Self {
         Relaxation { folder: setting.folder.clone() }
     }
+}
 
-    fn write(&self, memory: &Memory) -> Result<(), RunError> {
-        let columns = [("stage", ""), ("cycle", ""), ("ratio", ""), ("motion_left", "m"), ("motion", "m")];
-        let columns = columns.map(|(name, unit)| Column::new(name, unit));
-        let mut table = TableWriter::create(&self.folder.relaxation(), &columns)?;
-        let rows = memory.get(MEMORY).map_or(&[][..], Vec::as_slice);
-        for row in rows.chunks_exact(columns.len()) {
-            table.write(row)?;
-        }
-        Ok(())
+/// Writes all that is remembered.
+pub(super) fn write(folder: &ResultFolder, memory: &Memory) -> Result<(), RunError> {
+    let columns = [("stage", ""), ("cycle", ""), ("ratio", ""), ("motion_left", "m"), ("motion", "m")];
+    let columns = columns.map(|(name, unit)| Column::new(name, unit));
+    let mut table = TableWriter::create(&folder.relaxation(), &columns)?;
+    let rows = memory.get(MEMORY).map_or(&[][..], Vec::as_slice);
+    for row in rows.chunks_exact(columns.len()) {
+        table.write(row)?;
     }
+    Ok(())
 }
 
 impl Observer for Relaxation {
@@ -44,7 +45,7 @@ impl Observer for Relaxation {
                 remember(memory, *stage, rest);
                 Ok(())
             }
-            Event::StageEnds(_) | Event::StagesTaken => self.write(memory),
+            Event::StageEnds(_) | Event::StagesTaken => write(&self.folder, memory),
             _ => Ok(()),
         }
     }

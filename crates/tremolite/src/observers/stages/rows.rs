@@ -63,9 +63,19 @@ impl Observer for StageRows {
             Event::StagesTaken => {}
             _ => return Ok(()),
         }
-        let columns: Vec<Column> = cells(plan).into_iter().map(|cell| cell.column).collect();
-        Ok(write_stages(&folder.stages(), &columns, &summaries(model, plan, memory))?)
+        write(folder, model, plan, memory)
     }
+}
+
+/// Writes the rows of all stages that are done.
+pub(super) fn write(
+    folder: &ResultFolder,
+    model: &Model,
+    plan: &Plan,
+    memory: &Memory,
+) -> Result<(), RunError> {
+    let columns: Vec<Column> = cells(plan).into_iter().map(|cell| cell.column).collect();
+    Ok(write_stages(&folder.stages(), &columns, &summaries(model, plan, memory))?)
 }
 
 /// A stage that came to rest.
