@@ -472,7 +472,7 @@ fn no_checkpoint(root: &Path) -> Error {
     Error::NoResults {
         path: root.to_owned(),
         what: if root.join("summary.json").exists() {
-            "this run came to its end, or its checkpoint is missing: there is nothing to go on with; --overwrite begins it anew"
+            "this run is complete, or its checkpoint is missing: there is nothing to go on with; --overwrite begins it anew"
                 .into()
         } else {
             "no checkpoint to resume from; run without --resume".into()
