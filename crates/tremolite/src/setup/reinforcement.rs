@@ -32,6 +32,7 @@ pub fn build(
         lives.iter().zip(solid).map(|(life, solid)| *solid && life.holds(Stage::Shaking)).collect();
     let (mut all, mut warnings) = (Vec::new(), Vec::new());
     let mut laid = Laid::new();
+    let bounds = mesh.bounds();
     for steel in &case.reinforcement {
         let Some(groups) = groups(steel, mesh, solid, problems) else { continue };
         let mut legs: BTreeMap<Stage, Vec<Leg>> = BTreeMap::new();
@@ -50,16 +51,17 @@ pub fn build(
                 break;
             }
             warnings.extend(too_much(steel, name, &stations).filter(|_| warnings.is_empty()));
-            let at_sides = |(station, leg): &(&Station, Leg)| {
-                let nodes = station.stack.iter().flat_map(|(e, _)| mesh.elements[*e as usize].nodes());
-                not_in_slabs(case, steel, mesh, nodes.copied(), &leg.ends)
-            };
-            warnings.extend(legs_of(steel, &stations).iter().find_map(at_sides));
             if let Some(problem) = twice(steel, name, elements, &mut laid) {
                 problems.push(problem);
                 break;
             }
-            for (station, leg) in legs_of(steel, &stations) {
+            let all = legs_of(steel, &stations);
+            let at_sides = |(station, leg): &(&Station, Leg)| {
+                let nodes = station.stack.iter().flat_map(|(e, _)| mesh.elements[*e as usize].nodes());
+                not_in_slabs(case, steel, bounds, nodes.map(|&n| mesh.nodes[n as usize]), &leg.ends)
+            };
+            warnings.extend(all.iter().find_map(at_sides));
+            for (station, leg) in all {
                 let born = station.stack.iter().map(|(e, _)| lives[*e as usize].born).max();
                 legs.entry(born.unwrap_or(Stage::Before(0))).or_default().push(leg);
             }

@@ -4,7 +4,6 @@ use crate::sections::Station;
 use std::collections::HashMap;
 use tremolite_case::{BarDirection, BarFace, Case, Diagnostic, Reinforcement, Side};
 use tremolite_engine::outer_faces::NEAR;
-use tremolite_mesh::Mesh;
 
 pub fn too_thin(steel: &Reinforcement, group: &str, stations: &[Station]) -> Option<Diagnostic> {
     let thinnest = stations.iter().map(|s| s.thickness).min_by(f64::total_cmp)?;
@@ -42,21 +41,20 @@ fn millimetres(length: f64) -> String {
 pub fn not_in_slabs(
     case: &Case,
     steel: &Reinforcement,
-    mesh: &Mesh,
-    nodes: impl Iterator<Item = u32>,
+    bounds: ([f64; 3], [f64; 3]),
+    mut nodes: impl Iterator<Item = [f64; 3]>,
     [from, to]: &[[f64; 3]; 2],
 ) -> Option<Diagnostic> {
     case.motion.as_ref()?;
-    let nodes: Vec<[f64; 3]> = nodes.map(|n| mesh.nodes[n as usize]).collect();
-    let bounds = mesh.bounds();
     let length = (0..3).map(|i| (to[i] - from[i]).powi(2)).sum::<f64>().sqrt();
     let along = |axis: usize| (to[axis] - from[axis]).abs() < ALONG * length;
-    let at = |axis: usize| {
-        let near = NEAR * (bounds.1[axis] - bounds.0[axis]);
-        [bounds.0, bounds.1].iter().any(|end| nodes.iter().any(|x| (x[axis] - end[axis]).abs() < near))
-    };
     let free = |axis: &usize| case.dynamic.sides[*axis].value == Side::FreeField;
-    let axis = (0..2).filter(free).find(|&axis| along(axis) && at(axis))?;
+    let axes: Vec<usize> = (0..2).filter(free).filter(|&axis| along(axis)).collect();
+    let at = |x: [f64; 3], axis: usize| {
+        let near = NEAR * (bounds.1[axis] - bounds.0[axis]);
+        [bounds.0, bounds.1].iter().any(|end| (x[axis] - end[axis]).abs() < near)
+    };
+    let axis = nodes.find_map(|x| axes.iter().copied().find(|&axis| at(x, axis)))?;
     let name = ["x", "y"][axis];
     Some(Diagnostic::at(
         steel.on.first()?,
