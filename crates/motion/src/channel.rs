@@ -17,6 +17,8 @@ pub(crate) const LARGEST: f64 = 1e12;
 pub struct Channel {
     /// What to call it in tables: the file's stem, with the component's label where the file has several.
     pub name: String,
+    /// The component's label, by which a case may name it whatever its file is called; empty where the file has one channel.
+    pub label: String,
     /// The file it came from.
     pub file: PathBuf,
     /// The format it was read in, as [`FORMATS`](crate::FORMATS) names it; empty without a file.
@@ -48,6 +50,7 @@ impl Channel {
     pub fn new(name: impl Into<String>, dt: f64, acceleration: Vec<f64>) -> Channel {
         Channel {
             name: name.into(),
+            label: String::new(),
             file: PathBuf::new(),
             format: "",
             dt,
@@ -60,6 +63,11 @@ impl Channel {
             remarks: Vec::new(),
             orientation: None,
         }
+    }
+
+    /// Whether a case means this channel by a name: its own, or its label alone.
+    pub fn is_called(&self, name: &str) -> bool {
+        self.name == name || (!self.label.is_empty() && self.label == name)
     }
 
     /// Time of the last sample (s).
@@ -156,6 +164,7 @@ impl Channel {
     pub(crate) fn at(&self, later: f64, acceleration: Vec<f64>) -> Channel {
         Channel {
             name: self.name.clone(),
+            label: self.label.clone(),
             file: self.file.clone(),
             start: self.start + later,
             clock: self.clock.map(|clock| clock + later),

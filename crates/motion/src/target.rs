@@ -239,6 +239,14 @@ impl TargetSpectrum {
         }
     }
 
+    /// The design displacement of the ground d_g = 0.025 a_g S T_C T_D (m) of `en1998`, 3.2.2.4; none of a spectrum by points.
+    pub fn design_displacement(&self) -> Option<f64> {
+        match self.shape {
+            Shape::Table(_) => None,
+            Shape::En1998 { a_g, soil, corners: [_, c, d] } => Some(0.025 * a_g * soil * c * d),
+        }
+    }
+
     /// The band in which a motion is to fit, of `asked` (s) or all that the spectrum knows, 4 s at most.
     ///
     /// # Errors
@@ -289,6 +297,20 @@ mod tests {
         {
             assert!((target.at(period) / (peak * form) - 1.0).abs() < 1e-12, "{period}");
         }
+    }
+
+    /// By hand: type 1, ground A has S = 1, T_C = 0.4 s, T_D = 2 s; type 2, ground D has 1.8, 0.3 s, 1.2 s.
+    #[test]
+    fn the_design_displacement_of_en_1998_is_0_025_a_g_s_t_c_t_d() {
+        for (code, exact) in [
+            ("type 1 ground A 3.14 m/s2", 0.025 * 3.14 * 0.8),
+            ("type 2 ground D 1 m/s2", 0.025 * 1.8 * 0.36),
+        ] {
+            let target = TargetSpectrum::parse(&format!("EN 1998-1 {code}")).unwrap();
+            assert!((target.design_displacement().unwrap() / exact - 1.0).abs() < 1e-12, "{code}");
+        }
+        let table = TargetSpectrum::of_table("t", 0.05, &[[0.1, 1.0], [1.0, 1.0]]).unwrap();
+        assert_eq!(table.design_displacement(), None);
     }
 
     #[test]

@@ -169,8 +169,9 @@ fn channel(source: &Source, at: usize, options: &ReadOptions) -> Result<(Channel
     };
     let next = behind(source, next)?;
     let (label, direction, remark) = direction(source, at, begin, raw);
-    let name = label.map_or(channel.name.clone(), |label| format!("{} {label}", channel.name));
-    let mut channel = direction.given_to(Channel { name, ..channel });
+    let label = label.unwrap_or_default();
+    let name = if label.is_empty() { channel.name.clone() } else { format!("{} {label}", channel.name) };
+    let mut channel = direction.given_to(Channel { name, label, ..channel });
     channel.remarks.extend(remark);
     Ok((source.converted(line, units, options, channel)?, next))
 }

@@ -45,7 +45,11 @@ pub(super) fn named_apart(channels: &mut [Channel]) {
     for (i, channel) in channels.iter_mut().enumerate() {
         let before = names[..i].iter().filter(|name| **name == names[i]).count();
         if before > 0 {
-            channel.name += &format!(" ({})", before + 1);
+            let number = format!(" ({})", before + 1);
+            channel.name += &number;
+            if !channel.label.is_empty() {
+                channel.label += &number;
+            }
         }
     }
 }

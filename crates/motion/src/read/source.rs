@@ -39,7 +39,8 @@ impl<'a> Source<'a> {
             Some(label) => format!("{} {label}", self.stem()),
             None => self.stem(),
         };
-        Channel { file: self.file.to_path_buf(), ..Channel::new(name, dt, values) }
+        let label = label.unwrap_or_default().to_owned();
+        Channel { file: self.file.to_path_buf(), label, ..Channel::new(name, dt, values) }
     }
 
     /// `count` numbers in columns of fixed width from line index `begin` on, and the index of the line behind them. Numbers may

@@ -242,20 +242,47 @@ fn time_base(
     let (first, last) = (times[0], times[times.len() - 1]);
     let mean = (last - first) / (times.len() - 1) as f64;
     // Times are rounded in print; the mean is right to nine figures at best, and 0.005 should read 0.005.
-    let rounded = format!("{mean:.8e}").parse().unwrap_or(mean);
-    let dt = declared.unwrap_or(rounded);
+    let dt = declared.unwrap_or(rounded(mean));
     // With a declared interval the column need only show that no sample is missing.
     let allowed = if declared.is_some() { 0.6 } else { 0.1 };
-    for (i, (&t, &line)) in times.iter().zip(rows).enumerate() {
-        if !(dt > 0.0) || !((t - first - i as f64 * dt).abs() <= allowed * dt) {
-            return Err(fault(
-                source,
-                line,
-                format!("the time {t} is out of step; the times are not equally spaced by {dt} s"),
-                "resample the record, or declare what the columns hold, for example columns = [\"skip\", \
-                 \"acceleration\"] with dt = \"0.005 s\"",
-            ));
-        }
+    let fits = |(i, &t): (usize, &f64)| dt > 0.0 && (t - first - i as f64 * dt).abs() <= allowed * dt;
+    if let Some(i) = times.iter().enumerate().position(|time| !fits(time)) {
+        return Err(unequal(source, rows, times, declared, i));
     }
     Ok((first, source.stated_interval(rows[0], dt, None)?))
+}
+
+/// A step counts as another where it differs from the usual one by more than this part of it: half a sample.
+const OTHER_STEP: f64 = 0.5;
+
+/// The fault of times that are not equally spaced. `out` is the first of them that lies off equal spacing from end to end, which a gap
+/// anywhere puts near the beginning; so the step that differs is looked for beside the median of all steps.
+fn unequal(source: &Source, rows: &[usize], times: &[f64], declared: Option<f64>, out: usize) -> Error {
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let usual = declared.unwrap_or_else(|| {
+        steps.sort_by(f64::total_cmp);
+        rounded(steps[steps.len() / 2])
+    });
+    let differs = |pair: &[f64]| (pair[1] - pair[0] - usual).abs() > OTHER_STEP * usual;
+    let resample = "resample the record, or declare what the columns hold, for example columns = [\"skip\", \"acceleration\"] with dt = \
+                    \"0.005 s\"";
+    let Some(k) = times.windows(2).position(differs).filter(|_| usual > 0.0) else {
+        let (t, line) = (times[out], rows[out]);
+        return fault(source, line, format!("time: {t} s (not equally spaced by {usual} s)"), resample);
+    };
+    let (from, to, line) = (times[k], times[k + 1], rows[k + 1]);
+    let step = rounded(to - from);
+    let problem = format!("time step: {step} s from {from} s to {to} s (usual step {usual} s)");
+    let missing = rounded(step - usual);
+    if missing > 0.0 {
+        let samples = (missing / usual).round();
+        let problem = format!("{problem}, missing samples: {samples} ({missing} s)");
+        return fault(source, line, problem, "cut the record on one side of the gap, or fill the gap");
+    }
+    fault(source, line, problem, resample)
+}
+
+/// A time to eight digits, as the mean of an interval is.
+fn rounded(seconds: f64) -> f64 {
+    format!("{seconds:.8e}").parse().unwrap_or(seconds)
 }

@@ -182,6 +182,20 @@ fn a_text_file_can_declare_its_own_units_and_interval_but_not_contradict() {
     assert!(message(text, &ReadOptions { dt: Some(0.01), ..Default::default() }).contains("line 2"));
 }
 
+/// A gap puts the mean interval off from the second line on; the median step shows where it is.
+#[test]
+fn a_gap_in_a_column_of_times_is_named_at_its_line_with_the_usual_step() {
+    let time = |i: usize| 0.005 * (if i < 199 { i } else { i + 60 }) as f64;
+    let text: String = (0..500).map(|i| format!("{:.3} {}\n", time(i), i % 7)).collect();
+    let told = message(&format!("# units = \"m/s2\"\n{text}"), &ReadOptions::default());
+    for part in ["line 201:", "0.305 s from 0.99 s to 1.295 s", "usual step 0.005 s", "60 (0.3 s)"] {
+        assert!(told.contains(part), "'{part}' is not in: {told}");
+    }
+    // A declared interval does not hide it.
+    let declared = message(&text, &ReadOptions { dt: Some(0.005), ..gal() });
+    assert!(declared.contains("line 200:") && declared.contains("60 (0.3 s)"), "{declared}");
+}
+
 #[test]
 fn text_faults_are_named_with_their_line() {
     for (text, parts) in [
@@ -204,8 +218,9 @@ fn text_faults_are_named_with_their_line() {
         ("0 1\n0.1 x\n", ["line 2: 'x' is not", "finite number"]),
         ("0 1\n0.1 inf\n", ["line 2: 'inf' is not", "finite number"]),
         ("0 1\n0.1\n", ["line 2: 1 number(s)", "complete or remove"]),
-        ("0 1\n0.1 2\n0.3 3\n0.4 4\n", ["is out of step", "resample"]),
-        ("0 1\n0 2\n0 3\n", ["line 1: the time 0", "equally spaced"]),
+        ("0 1\n0.1 2\n0.3 3\n0.4 4\n", ["line 3: time step: 0.2 s from 0.1 s", "missing samples: 1 (0.1 s)"]),
+        ("0 1\n0.1 2\n0.2 3\n0.25 4\n0.3 5\n0.4 6\n0.5 7\n", ["line 4: time step: 0.05 s", "resample"]),
+        ("0 1\n0 2\n0 3\n", ["line 1: time: 0", "equally spaced"]),
         ("0.2 1\n0.1 2\n0 3\n", ["line 1", "equally spaced"]),
         ("0 1\n", ["line 1", "at least two"]),
         ("0 1e306\n1 1e308\n", ["line", "finite"]),
