@@ -44,7 +44,7 @@ mod trial;
 mod tube;
 mod wall;
 
-pub use error::CavernError;
+pub use error::{CavernError, Named};
 pub use gallery::Gallery;
 pub use ground::GroundSurface;
 pub use strata::RockLayer;

@@ -1,6 +1,6 @@
 //! Whether a description of caverns can be meshed, as far as single values and caverns tell.
 
-use super::error::{MOST_CAVERNS, value};
+use super::error::{MOST_CAVERNS, Named, value};
 use super::profile::Profile;
 use super::tube::{HORSESHOE, Tube};
 use super::{Cavern, CavernError, CavernShape, CavernSpec, Shotcrete, along, gallery, ground, name, strata};
@@ -36,7 +36,7 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
     }
     for (k, cavern) in spec.caverns.iter().enumerate() {
         let taken = spec.caverns[..k].iter().any(|other| other.name == cavern.name);
-        name::check(&cavern.name, taken)?;
+        name::check(Named::Cavern, &cavern.name, taken)?;
         check_cavern(cavern, spec.near)?;
         check_size(cavern, spec.near)?;
     }

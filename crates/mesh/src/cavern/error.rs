@@ -19,8 +19,8 @@ pub(super) const ROCK: f64 = 1.2;
 pub enum CavernError {
     /// A value out of its range; `must` says what it has to be.
     Value { key: String, value: f64, must: String },
-    /// A name that cannot be used; `must` says what it has to be.
-    Name { name: String, must: &'static str },
+    /// A name that cannot be used, of a cavern, a gallery or a layer; `why` says what is wrong with it.
+    Name { of: Named, name: String, why: String },
     /// No cavern, or more than a thousand.
     Caverns { count: usize },
     /// Two caverns that overlap or leave less rock between them than two elements need.
@@ -43,6 +43,24 @@ pub enum CavernError {
     SteepGround { scaled_jacobian: f64, limit: f64 },
 }
 
+/// What has a name in a description of caverns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Named {
+    Cavern,
+    Gallery,
+    Layer,
+}
+
+impl Named {
+    fn word(self) -> &'static str {
+        match self {
+            Named::Cavern => "cavern",
+            Named::Gallery => "gallery",
+            Named::Layer => "layer",
+        }
+    }
+}
+
 impl CavernError {
     /// What is to be changed, or is wrong: the name of a value as in `key`, or of a cavern or gallery; empty for the whole.
     pub fn subject(&self) -> String {
@@ -50,6 +68,7 @@ impl CavernError {
             Self::Value { key, .. } => key.clone(),
             Self::TooNearToEdge { key, .. } | Self::Grading { key, .. } => (*key).to_owned(),
             Self::TooClose { second, .. } => format!("{second}.at"),
+            Self::Name { of: Named::Layer, name, .. } => format!("layer {name}"),
             Self::Name { name, .. } | Self::Gallery { gallery: name, .. } => name.clone(),
             Self::Poor { cavern, limit, .. } if *limit == LEAST_JACOBIAN[1] => format!("{cavern}.lining"),
             Self::Poor { .. } | Self::GalleryRows { .. } => "near".to_owned(),
@@ -82,7 +101,7 @@ impl fmt::Display for CavernError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Value { key, value, must } => write!(f, "{key} is {value}; it must be {must}"),
-            Self::Name { name, must } => write!(f, "the name {name:?} must {must}"),
+            Self::Name { of, name, why } => write!(f, "{} {name:?}: {why}; choose another name", of.word()),
             Self::Caverns { count } => {
                 write!(f, "{count} caverns; there must be at least one and at most {MOST_CAVERNS}")
             }

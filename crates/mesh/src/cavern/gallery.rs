@@ -1,6 +1,6 @@
 //! Straight galleries across, from one cavern to the next: what they are, and the checks on a single one.
 
-use super::error::value;
+use super::error::{Named, value};
 use super::{CavernError, CavernSpec, name};
 
 const MOST: usize = 1000;
@@ -46,7 +46,7 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
     for (k, gallery) in spec.galleries.iter().enumerate() {
         let taken = spec.galleries[..k].iter().any(|other| other.name == gallery.name)
             || spec.caverns.iter().any(|cavern| cavern.name == gallery.name);
-        name::check(&gallery.name, taken)?;
+        name::check(Named::Gallery, &gallery.name, taken)?;
         let key = |key: &str| format!("{}.{key}", gallery.name);
         for (name, length) in [("width", gallery.width), ("height", gallery.height)] {
             if !(length > 0.0 && length <= 1e5) {

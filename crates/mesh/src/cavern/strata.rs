@@ -1,6 +1,6 @@
 //! Layers of different rock.
 
-use super::error::value;
+use super::error::{Named, value};
 use super::{CavernError, name};
 use crate::Mesh;
 
@@ -33,7 +33,8 @@ pub(super) fn check(layers: &[RockLayer]) -> Result<(), CavernError> {
         return Err(value("layers", layers.len() as f64, format!("at most {MOST_LAYERS} layers")));
     }
     for (k, layer) in layers.iter().enumerate() {
-        name::check(&layer.name, layers[..k].iter().any(|other| other.name == layer.name))?;
+        let taken = layers[..k].iter().any(|other| other.name == layer.name);
+        name::check(Named::Layer, &layer.name, taken)?;
         let key = |key: &str| format!("layer {}.{key}", layer.name);
         if k == 0 {
             for (name, x) in [("depth", layer.depth), ("dip", layer.dip)] {

@@ -139,9 +139,22 @@ fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<D
 
 /// Where in the case the generator's `subject` is written.
 fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
-    let subject = subject.strip_prefix("layer ").unwrap_or(subject);
+    let (subject, of_layer) = match subject.strip_prefix("layer ") {
+        Some(rest) => (rest, true),
+        None => (subject, false),
+    };
     let (name, key) = subject.split_once('.').unwrap_or((subject, ""));
-    if let Some(cavern) = c.caverns.iter().find(|cavern| cavern.name.value == name) {
+    // The last of a name is the one that uses it twice.
+    if of_layer && let Some(layer) = c.layers.iter().rfind(|layer| layer.name.value == name) {
+        return match key {
+            "depth" => layer.depth.span.clone(),
+            "dip" => layer.dip.span.clone(),
+            "dip_direction" => layer.dip_direction.span.clone(),
+            _ => layer.name.span.clone(),
+        };
+    }
+    let of_gallery = key.is_empty() && c.galleries.iter().any(|gallery| gallery.name.value == name);
+    if !of_gallery && let Some(cavern) = c.caverns.iter().rfind(|cavern| cavern.name.value == name) {
         let (lining, sprayed) = (cavern.lining.as_ref(), cavern.shotcrete.as_ref());
         let length = cavern.length.as_ref();
         return match key {
@@ -162,20 +175,12 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
             _ => cavern.name.span.clone(),
         };
     }
-    if let Some(gallery) = c.galleries.iter().find(|gallery| gallery.name.value == name) {
+    if let Some(gallery) = c.galleries.iter().rfind(|gallery| gallery.name.value == name) {
         return match key {
             "at" => gallery.at.span.clone(),
             "width" => gallery.width.span.clone(),
             "height" => gallery.height.span.clone(),
             _ => gallery.name.span.clone(),
-        };
-    }
-    if let Some(layer) = c.layers.iter().find(|layer| layer.name.value == name) {
-        return match key {
-            "depth" => layer.depth.span.clone(),
-            "dip" => layer.dip.span.clone(),
-            "dip_direction" => layer.dip_direction.span.clone(),
-            _ => layer.name.span.clone(),
         };
     }
     let along = c.along.as_ref().map(|along| &along.span);
@@ -322,6 +327,13 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
             ("arch_rise = ", "length = \"28 m\"\narch_rise = ", "\"28 m\"", "rock"),
             ("arch_rise = ", "length = \"9 m\"\nmiddle = \"11 m\"\narch_rise = ", "\"11 m\"", "rock"),
             ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "\"1e-9 m\"", "raise `along`"),
+            (
+                "[[mesh.caverns.cavern]]",
+                "[[mesh.caverns.layer]]\nname = \"cap\"\n[[mesh.caverns.layer]]\nname = \"rock\"\ndepth = \"9 m\"\n[[mesh.caverns.cavern]]",
+                "\"rock\"",
+                "choose another name",
+            ),
+            ("name = \"hall\"", "name = \"rock\"", "\"rock\"", "choose another name"),
         ] {
             let source = CAVERNS.replace(from, to);
             let alone = MeshAlone::parse(Path::new("mesh.toml"), &source);

@@ -175,7 +175,7 @@ fn galleries_that_cannot_be_made_are_refused_with_the_reason() {
         ("its roof, 26.400 m, at most at 25.380 m", Box::new(|g| g.at[1] = 23.0)),
         ("floor must be at 0.000 m or from 0.320 m up", Box::new(|g| g.at[1] = 0.2)),
         ("bus.height is 0.3; it must be at least 0.320 m", Box::new(|g| g.height = 0.3)),
-        ("be used once", Box::new(|g| g.name = "powerhouse".to_owned())),
+        ("the name is used twice", Box::new(|g| g.name = "powerhouse".to_owned())),
     ];
     for (says, change) in cases {
         let error = with(&change);

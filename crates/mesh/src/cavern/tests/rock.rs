@@ -120,8 +120,12 @@ fn impossible_ground_and_layers_are_refused_with_the_key() {
         (vec![layer("a", 0.0, 0.1)], "layer a.dip is 0.1"),
         (vec![layer("a", 0.0, 0.0), layer("b", 0.0, 0.0)], "layer b.depth is 0"),
         (vec![layer("a", 0.0, 0.0), layer("b", 5.0, 1.5)], "from 0 to 80 degrees"),
-        (vec![layer("a", 0.0, 0.0), layer("a", 5.0, 0.0)], "be used once"),
-        (vec![layer("a.b", 0.0, 0.0)], "be a word"),
+        (vec![layer("a", 0.0, 0.0), layer("a", 5.0, 0.0)], "the name is used twice"),
+        (vec![layer("a.b", 0.0, 0.0)], "a name is a word"),
+        (
+            vec![layer("a", 0.0, 0.0), layer("rock", 5.0, 0.0)],
+            "layer \"rock\": its group would be \"rock.rock\"; choose",
+        ),
     ] {
         let error = CavernSpec { layers, ..site() }.mesh().unwrap_err();
         assert!(error.to_string().contains(says), "{says:?} not in {error}");
