@@ -1,7 +1,7 @@
 //! The free field pushes at a boundary, and springs act on what differs from it.
 //!
 //! Traction on the model = σ_ff·n + C (v_ff − v) − K (u − u_ff), at a base into which a wave rises 2ρc v_i − ρc v − (αG/R)(u − u_ff)
-//! (`lysmer1969` for the dashpots, `wang2018` for the springs). The dashpots act on velocity and belong to the step
+//! (`lysmer1969` for the dashpots; the coefficients α are the user's, `wang2018` prints none). The dashpots act on velocity and belong to the step
 //! ([`crate::engine`]); this part gives the other terms, of which the [free field](crate::free_field) says what bears its index.
 
 use super::at_points::AtPoints;

@@ -4,6 +4,9 @@
 //! - where the pair is bonded, g > 0 and −p > f_bond, the bond breaks and the pair is open;
 //! - otherwise, where |t| > μp_c + c, it slides: |t| = μp_c along t. A bond that breaks so at g > 0 leaves an open pair.
 //!
+//! **Where the print is corrected.** (38) asks for ‖Δ_n‖ > 0 and ‖P_n‖ > cA. A norm has no sign, so a closed pair under a pressure above
+//! cA would open; here g > 0 and the tension −p count. (39) prints the friction of ‖P_n‖, in tension as well; here it is that of p_c.
+//!
 //! From a break on c = f_bond = 0. An open pair carries nothing until g ≤ 0 again; then p is the normal law's and t begins
 //! anew, with that step's −k_t Δs where k_t goes by the gap.
 //!

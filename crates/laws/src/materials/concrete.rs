@@ -13,8 +13,9 @@
 //!   artefact of the mesh.
 //!
 //! **Where the print is corrected.** (14) prints the stresses without 1/E and ν(σ1 + σ2): units, and the strain in
-//! the direction of c1 has ν(c2 + c3). (12) prints ε̇_s = 0.3 s⁻¹, which no earthquake reaches; the CEB law it cites
-//! starts at 3·10⁻⁵ s⁻¹, and `reference_rate = 0.3` brings the print back. (13) with effective tension fails any
+//! the direction of c1 has ν(c2 + c3). (12) prints ε̇_s = 0.3 s⁻¹, which no earthquake reaches. Its exponent
+//! is that of Model Code 1990 for the strain at the largest stress, whose references are 3·10⁻⁶ s⁻¹ in tension (12) and 3·10⁻⁵ s⁻¹
+//! in compression (16); `reference_rate = 0.3` brings the print back. (13) with effective tension fails any
 //! cracked point under a trace of compression: c3′ = (1 − D⁺) c3 in tension (`shear_tension = "effective"` is the
 //! print). In (7) the effective split has no potential where ν ≠ 0 and D⁺ ≠ D⁻: a closed loop of strain at fixed
 //! damage can give out work, 0.3 to 0.4 of its peak energy (the worst of 300 random loops of principal strain at

@@ -16,7 +16,7 @@ fn energy_per_area(law: &Concrete, h: f64, end: f64, factor: f64) -> f64 {
     let mut history = tremolite_laws::virgin::<Concrete>();
     let (mut energy, mut last) = (0.0, 0.0);
     // A step in time, then none: the factor is frozen as asked for at the first damage.
-    let dt = |e: f64| if factor > 1.0 { e / (3e-5 * factor.powf(50.0)) } else { 0.0 };
+    let dt = |e: f64| if factor > 1.0 { e / (3e-6 * factor.powf(50.0)) } else { 0.0 };
     for k in 1..=steps {
         let e = end * k as f64 / steps as f64;
         let strain = [e, -POISSON * e, -POISSON * e, 0.0, 0.0, 0.0];

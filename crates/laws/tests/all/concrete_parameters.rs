@@ -186,7 +186,7 @@ fn keys_without_an_effect_are_warned_of_by_name() {
     assert!(warned(&exponential).is_empty(), "α at its default");
     assert_eq!(warned(&exponential.with("residual_tension", 0.2)), ["residual_tension"]);
     assert_eq!(warned(&values().with("reference_rate", 0.3)), ["reference_rate"]);
-    assert!(warned(&values().with("reference_rate", 3e-5)).is_empty(), "the paper's");
+    assert!(warned(&values().with("reference_rate", 3e-5)).is_empty(), "the Model Code's");
     assert_eq!(warned(&values().with("rate_filter_time", 1e-2)), ["rate_filter_time"]);
     assert!(warned(&values().with("rate_filter_time", 5e-3)).is_empty());
     let compliance = with_words(values(), &[("split", "compliance")]);

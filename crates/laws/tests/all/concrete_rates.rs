@@ -28,15 +28,16 @@ fn first_damage(law: &Concrete, rate: f64, column: usize) -> (f64, f64) {
     (history[column], strain)
 }
 
-/// Factors (12) and (16) with the reference rate of the CEB law; beyond 30 s⁻¹ and below the reference they stand.
+/// Factors (12) and (16) with Model Code's reference rates in tension and in compression; beyond 30 s⁻¹ and below the reference they
+/// stand.
 #[test]
 fn dynamic_factors_are_the_ceb_values() {
     let law = law("ceb", 0.0);
     let xi = 1.0 / (5.0 + 0.75 * fc() / 1e6);
-    for rate in [1e-6f64, 3e-5, 1e-4, 1e-2, 1.0, 30.0, 300.0] {
-        let ratio = rate.clamp(3e-5, LAST_RATE) / 3e-5;
+    for rate in [1e-6f64, 3e-6, 3e-5, 1e-4, 1e-2, 1.0, 30.0, 300.0] {
+        let ratio = |reference: f64| rate.clamp(reference, LAST_RATE) / reference;
         for (column, exact, start) in
-            [(6, f64::powf(ratio, 0.020), THRESHOLD), (7, f64::powf(ratio, 1.026 * xi), fc() / YOUNG)]
+            [(6, ratio(3e-6).powf(0.020), THRESHOLD), (7, ratio(3e-5).powf(1.026 * xi), fc() / YOUNG)]
         {
             let (factor, strain) = first_damage(&law, rate, column);
             // Rate from a difference of strains: their round-off over a step of 1e-4 of the strain at damage.
@@ -45,8 +46,8 @@ fn dynamic_factors_are_the_ceb_values() {
             assert!(strain >= exact * start * (1.0 - 1e-9) && strain <= exact * start + 1.01e-4 * start);
         }
     }
-    // By hand: (1/3e-5)^0.02 = e^(0.02 · 10.4143) = 1.23160.
-    assert!((first_damage(&law, 1.0, 6).0 - 1.2316).abs() < 5e-5);
+    // By hand: (1/3e-6)^0.02 = e^(0.02 · 12.7169) = 1.28964.
+    assert!((first_damage(&law, 1.0, 6).0 - 1.28964).abs() < 5e-5);
 }
 
 /// Model Code 2010: 1.018 and 1.014 to the power of decades, from its own references.
@@ -92,7 +93,7 @@ fn the_filter_is_the_signed_rate_through_a_first_order_low_pass() {
             break;
         }
     }
-    let exact = (r.abs().clamp(3e-5, LAST_RATE) / 3e-5).powf(0.02);
+    let exact = (r.abs().clamp(3e-6, LAST_RATE) / 3e-6).powf(0.02);
     assert!((history[6] / exact - 1.0).abs() <= 1e-12);
 }
 
@@ -103,7 +104,7 @@ fn factors_are_frozen_at_first_damage() {
     for (dt, strain) in [(1.0, 0.9), (0.01, 1.3), (1e-9, 2.0), (1.0, 3.0)] {
         (_, history) = law.update(&point(dt, 0.5), [strain * THRESHOLD, 0.0, 0.0, 0.0, 0.0, 0.0], history);
     }
-    let exact = (0.4 * THRESHOLD / 0.01 / 3e-5f64).powf(0.02);
+    let exact = (0.4 * THRESHOLD / 0.01 / 3e-6f64).powf(0.02);
     assert!((history[6] / exact - 1.0).abs() < 1e-12, "{} {exact}", history[6]);
     // D⁺ of the plateau at 3 ε_ts, thresholds times the frozen factor.
     assert!((history[0] - (1.0 - ALPHA * exact / 3.0)).abs() < 1e-12);
@@ -131,7 +132,7 @@ fn while_time_stands_still_rates_are_off_and_the_filter_starts_from_rest() {
 fn a_path_with_time_shows_the_rate_and_one_without_does_not() {
     let law = law("ceb", 0.0);
     let strain = ramp(0.0, 1.5 * THRESHOLD, 300);
-    for (rate, exact) in [(Some(1e-2), (1e-2f64 / 3e-5).powf(0.02)), (None, 1.0)] {
+    for (rate, exact) in [(Some(1e-2), (1e-2f64 / 3e-6).powf(0.02)), (None, 1.0)] {
         let time = strain.iter().map(|e| rate.map_or(0.0, |r: f64| e / r)).collect();
         let path = Path::strains(time, strain.iter().map(|&e| [e, 0.0, 0.0, 0.0, 0.0, 0.0]).collect());
         let factor = *drive(&law, &path).unwrap().column("factor_tension").unwrap().last().unwrap();

@@ -47,14 +47,15 @@ pub struct Rate {
 impl Rate {
     /// A rate law by its word, for a concrete of static compressive strength `fc` \[Pa\]; `None` for `none`.
     ///
-    /// - `ceb`, the paper's (12) and (16): 0.020 and 1.026/(5 + ¾f_c), f_c of cubes in MPa; reference 3·10⁻⁵ s⁻¹.
+    /// - `ceb`, the paper's (12) and (16): 0.020, Model Code 1990's exponent of the strain at the largest stress, with that code's
+    ///   reference in tension, 3·10⁻⁶ s⁻¹, and 1.026/(5 + ¾f_c), f_c of cubes in MPa, with that in compression, 3·10⁻⁵ s⁻¹.
     /// - `mc90`, CEB-FIP Model Code 1990: 1.016/(10 + 6 f_c/10), reference 3·10⁻⁶ s⁻¹, and 1.026/(5 + 9 f_c/10),
     ///   reference 3·10⁻⁵ s⁻¹, f_c of cylinders in MPa.
     /// - `mc2010`, fib Model Code 2010: 0.018 and 0.014, references 10⁻⁶ and 3·10⁻⁵ s⁻¹.
     pub fn named(word: &str, fc: f64, reference: Option<f64>, filter: f64) -> Option<Rate> {
         let fc = fc / 1e6;
         let (tension, shear) = match word {
-            "ceb" => ((3e-5, 0.020), (3e-5, 1.026 / (5.0 + 0.75 * fc))),
+            "ceb" => ((3e-6, 0.020), (3e-5, 1.026 / (5.0 + 0.75 * fc))),
             "mc90" => ((3e-6, 1.016 / (10.0 + 0.6 * fc)), (3e-5, 1.026 / (5.0 + 0.9 * fc))),
             "mc2010" => ((1e-6, 0.018), (3e-5, 0.014)),
             _ => return None,

@@ -8,8 +8,8 @@ use crate::parameter::{Need, Value, Values};
 /// What keys are idle beside the words chosen, a sentence each.
 pub(super) type Idle = [Option<&'static str>; 5];
 
-/// The paper's reference rate \[1/s\], which may stand beside any rate law without a word.
-const PAPER_RATE: f64 = 3e-5;
+/// Model Code's reference rate in compression \[1/s\], which may stand beside any rate law without a word; the paper prints 0.3.
+const MODEL_CODE_RATE: f64 = 3e-5;
 
 /// Finds the keys that say something other than their default and have no effect.
 pub(super) fn idle(values: &Values, exponential: bool, static_alone: bool, split: Split) -> Idle {
@@ -22,7 +22,7 @@ pub(super) fn idle(values: &Values, exponential: bool, static_alone: bool, split
         }
     };
     let both = says("cohesion") && says("compressive_strength");
-    let rate = values.optional("reference_rate").is_some_and(|rate| rate != PAPER_RATE);
+    let rate = values.optional("reference_rate").is_some_and(|rate| rate != MODEL_CODE_RATE);
     [
         both.then_some("cohesion has no effect beside compressive_strength, which f_c is taken from"),
         (exponential && says("residual_tension"))
