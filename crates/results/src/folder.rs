@@ -18,6 +18,27 @@ pub const CHECKPOINTS: [&str; 2] = ["state.bin", "state.earlier.bin"];
 const MARKS: [&str; 7] =
     ["log.txt", "summary.json", "monitors.csv", "energy.csv", "damage.csv", "fields.pvd", "checkpoint"];
 
+/// The tables that runs may write.
+pub const TABLES: [&str; 14] = [
+    "monitors.csv",
+    "energy.csv",
+    "damage.csv",
+    "interfaces.csv",
+    "motion.csv",
+    "transfer.csv",
+    "free_field.csv",
+    "spectra.csv",
+    "depth.csv",
+    "stages.csv",
+    "relaxation.csv",
+    "sections.csv",
+    "utilisation.csv",
+    "bolts.csv",
+];
+
+/// In front of the tables that a user's program adds.
+pub const OWN_TABLES: &str = "own/";
+
 /// Whether a path that a file of a result folder names lies in that folder.
 pub(crate) fn is_inside(name: &str) -> bool {
     Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
@@ -486,5 +507,23 @@ fn remove(path: &Path, how: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), 
             Err(Error::io(path, "remove the earlier results")(e))
         }
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_table_that_a_run_may_write_is_listed() {
+        let folder = ResultFolder { root: PathBuf::from("out"), _lock: None };
+        let name = |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let tables = folder.tables().iter().map(name).filter(|name| name.ends_with(".csv"));
+        let mut tables: Vec<String> = tables.filter(|name| !name.contains(".columns")).collect();
+        let mut listed = TABLES.to_vec();
+        tables.sort();
+        tables.dedup();
+        listed.sort_unstable();
+        assert_eq!(tables, listed);
     }
 }

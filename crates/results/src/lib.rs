@@ -82,7 +82,7 @@ pub use damage::{
 pub use error::Error;
 pub use field_file::{FieldCell, FieldFile, Scalar};
 pub use fields::Fields;
-pub use folder::{CHECKPOINTS, HAND_OVER, ResultFolder};
+pub use folder::{CHECKPOINTS, HAND_OVER, OWN_TABLES, ResultFolder, TABLES};
 pub use free_field::{FreeField, Station, Velocities};
 pub use growing_file::Extent;
 pub use interface::{InterfaceSummary, PairPeak, PairPlace};
@@ -101,7 +101,7 @@ pub use stress::{GroupStress, StressPeak};
 pub use summary::{
     CaseFacts, Computed, Conclusion, Deconvolved, Defaulted, InitialStress, Input, LiningExtent, ModelFacts,
     MonitorFacts, MotionFacts, PageWish, PartFacts, RunFacts, SoilLayer, Soundness, Status, Summary,
-    Synchrony, TargetSpectrum, Wave, WavePart,
+    Synchrony, TargetSpectrum, Wave, WavePart, check_summary_path,
 };
 pub use surface::{ElementGroups, PairSurface};
 pub use table::Table;

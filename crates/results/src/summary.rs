@@ -5,6 +5,7 @@ mod computed;
 mod conclusion;
 mod monitors;
 mod parts;
+mod path;
 mod soundness;
 mod waves;
 
@@ -21,6 +22,7 @@ pub use computed::{
 pub use conclusion::{Conclusion, Status};
 pub use monitors::{MonitorFacts, Synchrony};
 pub use parts::PartFacts;
+pub use path::check_summary_path;
 pub use soundness::Soundness;
 pub use waves::{Wave, WavePart};
 

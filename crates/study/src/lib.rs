@@ -17,6 +17,7 @@ pub mod intensity;
 pub mod latin_hypercube;
 pub mod matrix;
 pub mod measure;
+pub mod measure_paths;
 pub mod normal;
 pub mod outcome;
 pub mod plan;

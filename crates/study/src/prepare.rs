@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
-use tremolite_case::study::StudyFile;
-use tremolite_case::{Case, Change, Diagnostic, Laws, Report};
+use tremolite_case::study::{RecordEntry, StudyFile};
+use tremolite_case::{Case, Change, Diagnostic, Direction, Laws, Records, Report};
 use tremolite_motion::TargetSpectrum;
 
 use crate::Plan;
@@ -109,10 +109,11 @@ pub fn with_motion(
         return Err(study.report(vec![Diagnostic::new(at, message, remedy)]));
     }
     if let Some(record) = record {
-        motion.retain(|(key, _)| !SOURCE.contains(&key.as_str()));
         let folder = between(case.directory(), study.directory());
         let own =
             record.motion(|file| if file.is_absolute() { file.to_owned() } else { joined(&folder, file) });
+        let made = made_of_the_record(case, record, &own).map_err(|problem| study.report(vec![problem]))?;
+        motion.retain(|(key, _)| !SOURCE.contains(&key.as_str()) || made.contains(&key.as_str()));
         for (key, value) in own {
             motion.retain(|(other, _)| *other != key);
             motion.push((key, value));
@@ -139,6 +140,124 @@ pub fn with_motion(
         )]));
     }
     Ok(case)
+}
+
+/// The components of a case by their names; none of a case that reads one file with all of them.
+fn components(case: &Case) -> Vec<(&'static str, &tremolite_case::Component)> {
+    match case.motion.as_ref().map(|motion| &motion.records) {
+        Some(Records::Components(components)) => Direction::WORDS
+            .iter()
+            .copied()
+            .zip(components.iter())
+            .filter_map(|(w, c)| Some((w, c.as_ref()?)))
+            .collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Components that the case makes of another one, which the record brings: they are made of the record's.
+///
+/// # Errors
+/// A component whose source the record does not bring.
+fn made_of_the_record(
+    case: &Case,
+    record: &RecordEntry,
+    own: &[(String, String)],
+) -> Result<Vec<&'static str>, Diagnostic> {
+    let brings = |name: &str| own.iter().any(|(key, _)| key == name);
+    let mut made = Vec::new();
+    // One file brings all components.
+    if brings("file") {
+        return Ok(made);
+    }
+    for (name, component) in components(case) {
+        let tremolite_case::Component::Scaled { from, .. } = component else { continue };
+        let source = from.value.word();
+        match (brings(name), brings(source)) {
+            (true, _) => {}
+            (false, true) => made.push(name),
+            (false, false) => {
+                return Err(Diagnostic::at(
+                    &record.name,
+                    format!(
+                        "record '{}': the case makes `{name}` of `{source}`, which is not given",
+                        record.name.value
+                    ),
+                    format!("give `{source}` or `{name}` in the record"),
+                ));
+            }
+        }
+    }
+    Ok(made)
+}
+
+/// Values of the study at keys of the case's own record, which each record of the study replaces: they would have no effect.
+pub fn replaced(study: &StudyFile, case: &Case) -> Vec<Diagnostic> {
+    if study.records.is_empty() {
+        return Vec::new();
+    }
+    let made = components(case).into_iter().filter(|(_, c)| c.record().is_none()).map(|(name, _)| name);
+    let made: Vec<&str> = made.collect();
+    let of_rows = study.rows.iter().flat_map(|row| row.set.iter().map(|s| &s.path));
+    let paths = study.set.iter().map(|s| &s.path).chain(study.vary.iter().map(|v| &v.path)).chain(of_rows);
+    let is_replaced = |path: &&tremolite_case::Spanned<String>| {
+        let key = path.value.strip_prefix("motion.").and_then(|below| below.split(['.', '[']).next());
+        key.is_some_and(|key| SOURCE.contains(&key) && !made.contains(&key))
+    };
+    let problem = |path: &tremolite_case::Spanned<String>| {
+        Diagnostic::at(
+            path,
+            format!("`{}`: no effect, since each [[record]] brings its own", path.value),
+            "give it in the records, or leave them out",
+        )
+    };
+    paths.filter(is_replaced).map(problem).collect()
+}
+
+/// What of the case's components the runs of a record do without, to be warned of: recorded ones that it has no other for.
+pub fn left_out(study: &StudyFile, case: &Case, record: usize) -> Option<Diagnostic> {
+    let record = &study.records[record];
+    let own = record.motion(Path::to_owned);
+    let brings = |name: &str| own.iter().any(|(key, _)| key == name || key == "file");
+    let lacks = components(case).into_iter().filter(|(name, c)| c.record().is_some() && !brings(name));
+    let names: Vec<String> = lacks.map(|(name, _)| format!("`{name}`")).collect();
+    (!names.is_empty()).then(|| {
+        Diagnostic::at(
+            &record.name,
+            format!(
+                "record '{}': it has no {}, which the case has of another record; its runs shake without",
+                record.name.value,
+                names.join(" and no ")
+            ),
+            "give them in the record, if they are meant",
+        )
+    })
+}
+
+/// The refusal of a record of one file without a vertical component, where the case makes one of another; `vertical` says whether
+/// the motion of the record has one.
+///
+/// # Errors
+/// That the component would be lost.
+pub fn vertical_of_file(
+    study: &StudyFile,
+    case: &Case,
+    record: usize,
+    vertical: bool,
+) -> Result<(), Diagnostic> {
+    let record = &study.records[record];
+    let is_file = record.motion(Path::to_owned).iter().any(|(key, _)| key == "file");
+    let made =
+        components(case).into_iter().find(|(name, c)| *name == Direction::Up.word() && c.record().is_none());
+    let (Some(_), true, false) = (made, is_file, vertical) else { return Ok(()) };
+    Err(Diagnostic::at(
+        &record.name,
+        format!(
+            "record '{}': its file has no vertical component, and the case makes `up` of another",
+            record.name.value
+        ),
+        "give the components by name, with `up`: east = { file = \"…\", channel = \"…\" }, up = { from = \"east\", factor = 0.667 }",
+    ))
 }
 
 /// A factor to ten digits, as it stands in the case; what is measured goes by the same.
