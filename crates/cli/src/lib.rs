@@ -4,6 +4,7 @@ mod commands;
 mod exit;
 mod machine;
 mod ranks;
+mod signals;
 mod terminal;
 
 pub use commands::study::plan as study_plan;
@@ -51,9 +52,11 @@ enum Command {
 /// the program, and what stands before a command.
 ///
 /// Returns the status to end with: 0 done, 1 failed for a physical or numerical reason, 2 bad input, 3 stopped by a signal. `run`
-/// handles SIGINT and SIGTERM from then on.
+/// handles SIGINT, SIGTERM and SIGHUP from then on.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, again: Vec<OsString>) -> u8 {
     machine::starts_again_by(again);
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let asks_for_json = arguments.iter().any(|argument| argument == "--json");
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(told) => {
@@ -83,6 +86,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, again: Vec<OsString>) 
     let code = match result {
         Ok(code) => code,
         Err(failure) => {
+            if asks_for_json {
+                terminal::print(&serde_json::to_string_pretty(&failure.json()).unwrap_or_default());
+            }
             ranks::failed(&failure);
             failure.code
         }

@@ -127,7 +127,7 @@ impl Started {
         }
         AGREED.store(true, Relaxed);
         match own {
-            Ok(_) => Err(Failure { code: Code::BadInput, message: String::new() }),
+            Ok(_) => Err(Failure::of(Code::BadInput, String::new())),
             Err(failure) => {
                 if failed & 1 == 0 {
                     terminal::say_of_rank(&failure.message);

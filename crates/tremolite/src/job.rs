@@ -13,7 +13,7 @@ pub mod warnings;
 
 pub use crate::setup::Inputs;
 pub use begun::{Begun, Caller};
-pub use checked::{Checked, Relaxed};
+pub use checked::{Checked, Relaxed, diagnostics};
 pub use fault::{Fault, Remark, Why};
 pub use loaded::{Given, Loaded};
 pub use oversize::oversized;

@@ -115,7 +115,9 @@ pub fn summary(evidence: Evidence) -> Summary {
             motion: motion.map_or_else(MotionSummary::default, |motion| MotionSummary {
                 kind: motion.kind.to_string(),
                 factor: motion.factor.unwrap_or(f64::NAN),
-                peak_acceleration: (0..3).map(|i| (axes[i].to_owned(), motion.incident_peak[i])).collect(),
+                peak_acceleration: (0..3)
+                    .map(|i| (axes[i].to_owned(), motion.incident[i].acceleration))
+                    .collect(),
                 given_peak_acceleration: given_peaks(plan, motion).map_or_else(IndexMap::new, |peaks| {
                     (0..3).map(|i| (axes[i].to_owned(), peaks[i])).collect()
                 }),
@@ -185,7 +187,7 @@ fn given_peaks(plan: &Plan, motion: &MotionFacts) -> Option<[f64; 3]> {
             plan.waves.as_ref().map(|waves| waves.motion.acceleration.each_ref().map(largest))
         }
         (Some(recorded), _) => Some(recorded.motion.acceleration.each_ref().map(largest)),
-        (None, Some(factor)) => Some(motion.incident_peak.map(|peak| peak / factor.abs())),
+        (None, Some(factor)) => Some(motion.incident.map(|peak| peak.acceleration / factor.abs())),
         (None, None) => None,
     }
 }

@@ -17,7 +17,7 @@ pub(crate) static COMPONENT: Table = Table {
     doc: "One component of the ground motion: a record, or another component times a factor.",
     keys: &[
         Key::optional("file", Kind::File, "", "The record, relative to the case"),
-        Key::optional("channel", Kind::Text, "", "Which of the file's channels, by its name")
+        Key::optional("channel", Kind::Text, "", "Which of the file's channels, by its label or its name: \"N28W\"")
             .when(When::Beside("file")),
         Key::optional(
             "units",

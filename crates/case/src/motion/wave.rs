@@ -114,6 +114,25 @@ impl Wave {
     }
 }
 
+/// Refuses components that no wave carries. Those of one file with all components are warned of where the file is read.
+fn check_carried(motion: &Fields, waves: &[&Fields], problems: &mut Vec<Diagnostic>) {
+    let carried: Vec<String> = waves.iter().filter_map(|f| Some(f.text("component")?.value)).collect();
+    // A wave without its component is refused by itself.
+    if waves.is_empty() || carried.len() < waves.len() {
+        return;
+    }
+    for name in Direction::WORDS {
+        let (Some(node), false) = (motion.get(name), carried.iter().any(|word| word == name)) else {
+            continue;
+        };
+        problems.push(Diagnostic::new(
+            node.span.clone(),
+            format!("no [[motion.wave]] carries `{name}`, so it does not enter"),
+            format!("add a wave with component = \"{name}\", or leave `{name}` out: an inclined wave moves other axes as well"),
+        ));
+    }
+}
+
 /// Refuses waves that are no part of the motion that is given.
 pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
     let waves: Vec<&Fields> = motion.tables("wave").collect();
@@ -157,6 +176,7 @@ pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
     if motion.text("file").is_some() {
         return;
     }
+    check_carried(motion, &waves, problems);
     for wave in waves {
         let Some(component) = wave.word("component", Direction::from_word) else { continue };
         if motion.table(component.value.word()).is_none() {

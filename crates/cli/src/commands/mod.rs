@@ -30,7 +30,7 @@ pub fn given(set: &[String], isa: Isa) -> Result<Given, Failure> {
 
 /// Reads a case and builds what it asks for; what is unusual goes to the terminal.
 pub fn load(path: &Path, given: &Given) -> Result<Loaded, Failure> {
-    let loaded = Loaded::read(path, given).map_err(|fault| refused(&fault, 0))?;
+    let loaded = Loaded::read(path, given).map_err(|fault| refused(fault, 0))?;
     tell(&loaded.remarks());
     Ok(loaded)
 }
@@ -38,16 +38,17 @@ pub fn load(path: &Path, given: &Given) -> Result<Loaded, Failure> {
 /// The job of a case whose remarks have been told; its own are not yet.
 pub fn modelled(loaded: Loaded) -> Result<Job, Failure> {
     let told = loaded.remarks().len();
-    Job::of_loaded(loaded).map_err(|fault| refused(&fault, told))
+    Job::of_loaded(loaded).map_err(|fault| refused(fault, told))
 }
 
 /// Why a case is no job. What was found unusual before goes to the terminal, but for what has been `told`.
-fn refused(fault: &Fault, told: usize) -> Failure {
+fn refused(fault: Fault, told: usize) -> Failure {
     tell(&fault.remarks[told..]);
-    match &fault.why {
+    let failure = match &fault.why {
         Why::Case(report) => Failure::case(report),
         why => Failure::input(why),
-    }
+    };
+    Failure { remarks: fault.remarks, ..failure }
 }
 
 /// Descriptions of all laws a case may name.

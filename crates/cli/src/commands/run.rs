@@ -7,11 +7,10 @@ use super::{given, load, modelled, pool};
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
 use crate::ranks::{self, Started};
+use crate::signals::stop_flag;
 use crate::terminal::{ProgressLine, say, tell};
 use messages::{Log, after, before, busy, progress, shared_out};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 use tremolite::RunError;
 use tremolite::job::{Begun, Caller, Job};
@@ -212,11 +211,7 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
         bound.iter().for_each(|bound| log.say(&format!("warning: {bound}")));
     }
 
-    let stop = Arc::new(AtomicBool::new(false));
-    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-        // Without the handler a signal ends the program at once; nothing worse.
-        let _ = signal_hook::flag::register(signal, stop.clone());
-    }
+    let stop = stop_flag();
     let mut line = ProgressLine::new();
     let mut in_stages = !job.plan.stages.is_empty();
     let mut tell = |p: Progress| {

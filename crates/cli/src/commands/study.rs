@@ -8,7 +8,8 @@ mod tables;
 
 use crate::exit::{Code, Failure, Outcome};
 use crate::machine;
-use crate::terminal::{print, say};
+use crate::signals::stop_flag;
+use crate::terminal::{colour, print, say};
 use planned::Planned;
 use queue::Queue;
 use std::path::{Path, PathBuf};
@@ -86,15 +87,18 @@ struct Read {
     study: StudyFile,
     plan: Plan,
     planned: Vec<Planned>,
+    /// What is to be warned of, if anything.
+    warnings: Option<Report>,
 }
 
 /// Plans a study and checks the case of every run; its language is then known.
 fn read(mut study: StudyFile) -> Result<Read, Report> {
     let table = table(&study)?;
     let plan = Plan::of(&study, table.as_deref()).map_err(|problems| study.report(problems))?;
-    let (planned, language) = planned::of(&study, &plan)?;
+    let planned::Found { planned, language, warnings } = planned::of(&study, &plan)?;
     study.language.get_or_insert(language);
-    Ok(Read { study, plan, planned })
+    let warnings = (!warnings.is_empty()).then(|| study.report(warnings).as_warnings());
+    Ok(Read { study, plan, planned, warnings })
 }
 
 /// The plan of a study as `--list` prints it, of its text; `path` is where it stands or will stand, from which it names files.
@@ -102,14 +106,15 @@ fn read(mut study: StudyFile) -> Result<Read, Report> {
 /// # Errors
 /// Everything that study or the case of a run is refused for, at its place in the study or the case.
 pub fn plan(path: &Path, text: &str) -> Result<String, Report> {
-    let Read { study, plan, planned } = read(StudyFile::parse(path, text)?)?;
+    let Read { study, plan, planned, .. } = read(StudyFile::parse(path, text)?)?;
     let all: Vec<usize> = (0..plan.runs.len()).collect();
     Ok(tables::plan(&study, &plan, &planned, &all))
 }
 
 pub fn run(args: &Args) -> Outcome {
     let study = StudyFile::read(&args.study).map_err(|report| Failure::case(&report))?;
-    let Read { study, plan, planned } = read(study).map_err(|report| Failure::case(&report))?;
+    let Read { study, plan, planned, warnings } = read(study).map_err(|report| Failure::case(&report))?;
+    warnings.iter().for_each(|warnings| say(&warnings.render(colour())));
     let shard = args.shard.as_deref().map(shard).transpose()?;
     let mut chosen = match shard {
         Some((k, of)) => plan.shard(k - 1, of),
@@ -134,11 +139,8 @@ pub fn run(args: &Args) -> Outcome {
         .map_err(Failure::failed)?;
     let mut stopped = false;
     if !args.gather {
-        let stop = Arc::new(AtomicBool::new(false));
-        for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-            // Without the handler a signal ends this program and leaves its runs; the next start waits for them.
-            let _ = signal_hook::flag::register(signal, stop.clone());
-        }
+        // Without a handler a signal ends this program and leaves its runs; the next start waits for them.
+        let stop = stop_flag();
         let cores = machine::threads();
         let wish = |n: Option<u32>| n.map(|n| n as usize);
         let at_once = args.at_once.or(wish(study.run.at_once)).unwrap_or(cores).clamp(1, chosen.len().max(1));

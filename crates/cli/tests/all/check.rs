@@ -151,3 +151,46 @@ fn what_ranks_would_share_is_said_in_lines_and_in_the_object() {
         assert!(lines.contains(words), "'{words}' is missing:\n{lines}");
     }
 }
+
+/// What is refused has its key, its line and its remedy, and what was found unusual before stands beside it.
+#[test]
+fn a_refused_case_prints_one_object_with_its_problems() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(tremolite(folder.path(), &["new", "study"]).status.success());
+    let case = folder.path().join("study/case.toml");
+    let text = std::fs::read_to_string(&case).unwrap();
+    let object = |args: &[&str]| -> Value {
+        let output = tremolite(folder.path(), args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        assert!(!output.stderr.is_empty());
+        serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{args:?}: {e}"))
+    };
+    std::fs::write(&case, text.replace("poisson     = 0.25", "poisson     = 0.75")).unwrap();
+    let found = object(&["check", "study/case.toml", "--json"]);
+    assert_eq!(found["file"], "study/case.toml");
+    let [problem] = &found["refused"].as_array().unwrap()[..] else { panic!("{found:#}") };
+    assert_eq!(problem["key"], "material.rock.poisson");
+    let line = 1 + text.lines().position(|line| line.contains("poisson     = 0.25")).unwrap();
+    assert_eq!(problem["line"].as_u64(), Some(line as u64), "{problem:#}");
+    assert!(
+        !problem["message"].as_str().unwrap().is_empty() && !problem["remedy"].as_str().unwrap().is_empty()
+    );
+
+    // From --set there is no line.
+    std::fs::write(&case, &text).unwrap();
+    let set = ["check", "study/case.toml", "--json", "--set", "material.rock.poisson=0.75"];
+    let problem = &object(&set)["refused"][0];
+    assert!(problem["line"].is_null() && problem["set"].as_str().unwrap().contains("poisson"), "{problem:#}");
+
+    // A case that is not there, a record that cannot be read, an option that cannot be.
+    let gone = object(&["check", "study/gone.toml", "--json"]);
+    assert_eq!(gone["refused"].as_array().unwrap().len(), 1, "{gone:#}");
+    std::fs::write(folder.path().join("study/pulse.txt"), "no record").unwrap();
+    let record = object(&["check", "study/case.toml", "--json"]);
+    assert_eq!(record["refused"][0]["key"], "motion.east.file", "{record:#}");
+    let option = object(&["check", "study/case.toml", "--json", "--set", "nothing"]);
+    assert!(!option["refused"][0]["message"].as_str().unwrap().is_empty(), "{option:#}");
+    // As of other commands with --json.
+    let mesh = object(&["mesh", "info", "gone.msh", "--json"]);
+    assert!(mesh["refused"][0]["message"].as_str().unwrap().contains("gone.msh"), "{mesh:#}");
+}

@@ -276,6 +276,44 @@ fn a_new_case_runs_to_its_end_with_concrete_that_cracks() {
     }
 }
 
+/// A terminal that is lost sends SIGHUP: the run stops in order. One that ignores it from the start, as under nohup, goes on.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_lost_terminal_stops_with_a_checkpoint_unless_it_is_ignored() {
+    let (folder, case) = new_case();
+    change(&case, "duration = \"0.3 s\"", "duration = \"0.6 s\"");
+    change(
+        &case,
+        "sides    = { x = \"free-field\", y = \"periodic\" }",
+        "sides    = { x = \"free-field\", y = \"periodic\" }\ntime_step = \"0.1 ms\"",
+    );
+    for (trap, status) in [("", 3), ("trap '' HUP; ", 0)] {
+        let program = env!("CARGO_BIN_EXE_tremolite");
+        let out = format!("out{status}");
+        let script = format!("{trap}exec {program} run study/case.toml --out {out} --threads 1");
+        let mut child = Command::new("sh")
+            .current_dir(folder.path())
+            .args(["-c", &script])
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        let monitors = folder.path().join(&out).join("monitors.csv");
+        for _ in 0..2000 {
+            if std::fs::metadata(&monitors).map_or(0, |m| m.len()) > 10_000 {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        Command::new("kill").args(["-HUP", &child.id().to_string()]).status().unwrap();
+        assert_eq!(child.wait().unwrap().code(), Some(status), "{trap}");
+    }
+    assert!(folder.path().join("out3/checkpoint/state.bin").is_file());
+    let resumed = tremolite(folder.path(), &["run", "study/case.toml", "--out", "out3", "--resume"]);
+    assert_eq!(code(&resumed), 0, "{}", errors(&resumed));
+    let bytes = |run: &str| std::fs::read(folder.path().join(run).join("monitors.csv")).unwrap();
+    assert!(bytes("out3") == bytes("out0"));
+}
+
 #[cfg(unix)]
 #[test]
 fn a_signal_stops_with_a_checkpoint_and_resume_gives_the_same_histories() {

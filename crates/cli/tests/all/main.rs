@@ -21,6 +21,7 @@ mod list;
 mod mesh;
 mod motion;
 mod motion_fit;
+mod motion_input;
 mod motion_told;
 mod planes;
 mod reference;

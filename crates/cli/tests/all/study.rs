@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Duration;
+use tremolite_results::Table;
 
 /// A column under its weight, with a stage, so that there is a hand-over.
 const CASE: &str = r#"title = "a column"
@@ -200,6 +201,23 @@ fn wrong_keys_are_refused_before_the_first_run() {
         ("0.04 m/s", "40 m/s", "more than any earthquake"),
         ("measure = \"RotD50 PGV\"", "measure = \"z PGV\"", "no factor brings it to a level"),
         ("[scale]", "[scales]", "did you mean `scale`?"),
+        (
+            "[vary]\n",
+            "[set]\n\"motion.east.units\" = \"g\"\n[vary]\n",
+            "`motion.east.units`: no effect, since each [[record]] brings its own",
+        ),
+        ("\"top.ux\"", "\"tip.ux\"", "write `top.ux`"),
+        ("\"monitors.csv\"", "\"monitor.csv\"", "write `monitors.csv`"),
+        (
+            "{ table = \"monitors.csv\", column = \"top.ux\", take = \"max-abs\" }",
+            "{ summary = 'monitors.top.ux.maxx' }",
+            "write `monitors.top.ux.max`",
+        ),
+        (
+            "{ table = \"monitors.csv\", column = \"top.ux\", take = \"max-abs\" }",
+            "{ summary = 'monitors.tip.ux.max' }",
+            "write `monitors.top.ux.max`",
+        ),
     ] {
         assert!(STUDY.contains(from), "{from}");
         let folder = folder(&STUDY.replace(from, to));
@@ -367,7 +385,8 @@ fn a_record_that_has_changed_is_another_run_and_a_measure_that_is_lacking_stops_
     fs::write(folder.join("pulse.txt"), format!("{head}\n{twice}")).unwrap();
     assert!((top() / before - 2.0).abs() < 1e-6);
 
-    let lacks = grid.replace("top.ux", "roof.ux");
+    // A quantity that no monitor has; that is known with the first results.
+    let lacks = grid.replace("top.ux", "top.uxx");
     fs::write(folder.join("study.toml"), lacks).unwrap();
     for _ in 0..2 {
         let refused = study(folder, &["--out", "grid"]);
@@ -580,4 +599,69 @@ fn motions_are_scaled_to_a_target_spectrum_over_a_band() {
         "{}",
         said(&refused)
     );
+}
+
+/// `up` is made of the record's own component; what cannot be kept is refused or warned of.
+#[test]
+fn a_record_keeps_what_the_case_makes_of_another_component() {
+    let folder = folder(STUDY);
+    let folder = folder.path();
+    let up = "east = { file = \"pulse.txt\" }\nup = { from = \"east\", factor = 0.5 }";
+    fs::write(folder.join("case.toml"), CASE.replace("east = { file = \"pulse.txt\" }", up)).unwrap();
+    let north = "[[record]]\nname = \"north\"\nnorth = { file = \"pulse.txt\" }\n";
+    let study_with =
+        |record: &str| fs::write(folder.join("study.toml"), STUDY.replace(north, record)).unwrap();
+    study_with("");
+    let done = study(folder, &["--out", "out", "--at-once", "1"]);
+    assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+    let case = |run: &str| fs::read_to_string(folder.join(format!("out/runs/{run}/case.toml"))).unwrap();
+    assert!(case("s1_east_0.02-m-s").contains("up = { factor = 0.5, from = \"east\" }"));
+    let motion = Table::read(&folder.join("out/runs/s1_east_0.02-m-s/results/motion.csv")).unwrap();
+    let peak = |name: &str| motion.column(name).unwrap().iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    assert!((peak("given.vz") / peak("given.vx") - 0.5).abs() < 1e-9 && peak("given.vz") > 1e-3);
+
+    // The component that it is made of is not there.
+    study_with(north);
+    let refused = study(folder, &["--list"]);
+    assert_eq!(refused.status.code(), Some(2));
+    let words = said(&refused);
+    assert!(words.contains("the case makes `up` of `east`, which is not given"), "{words}");
+    assert!(words.contains("study.toml:") && words.contains("give `east` or `up`"), "{words}");
+    // Both remedies work; the record's own goes before the case's.
+    for (own, up) in [
+        ("up = { from = \"north\", factor = 0.7 }", "up = { factor = 0.7, from = \"north\" }"),
+        ("east = { file = \"pulse.txt\" }", "up = { factor = 0.5, from = \"east\" }"),
+    ] {
+        study_with(&format!("{north}{own}\n"));
+        let done = study(folder, &["--out", up, "--only", "s1_north_0.02"]);
+        assert_eq!(done.status.code(), Some(0), "{}", said(&done));
+        let runs = fs::read_dir(folder.join(up).join("runs")).unwrap().map(|run| run.unwrap().path());
+        let texts: Vec<String> = runs.map(|run| fs::read_to_string(run.join("case.toml")).unwrap()).collect();
+        assert!(!texts.is_empty() && texts.iter().all(|text| text.contains(up)), "{texts:?}");
+    }
+
+    // A recorded component belongs to its earthquake: the runs of another record do without it.
+    let recorded = "east = { file = \"pulse.txt\" }\nup = { file = \"pulse.txt\" }";
+    fs::write(folder.join("case.toml"), CASE.replace("east = { file = \"pulse.txt\" }", recorded)).unwrap();
+    study_with("");
+    let listed = study(folder, &["--list"]);
+    assert_eq!(listed.status.code(), Some(0));
+    assert!(
+        said(&listed).contains("record 'east': it has no `up`, which the case has of another record"),
+        "{}",
+        said(&listed)
+    );
+}
+
+/// What check would warn of a motion stands at its record before the first run.
+#[test]
+fn what_a_record_is_warned_of_is_printed_before_the_first_run() {
+    let folder =
+        folder(&STUDY.replace("name = \"east\"\n", "name = \"east\"\nwindow = [\"0 s\", \"3 s\"]\n"));
+    let listed = study(folder.path(), &["--list"]);
+    assert_eq!(listed.status.code(), Some(0), "{}", said(&listed));
+    let words = said(&listed);
+    assert!(words.contains("record 'east': window: 0 s to 3 s") && words.contains("study.toml:"), "{words}");
+    assert_eq!(words.matches("record 'east': window").count(), 1, "{words}");
+    assert!(!words.contains("record 'north': window"), "{words}");
 }

@@ -32,6 +32,25 @@ fn slips_of_units_are_warned_of_and_a_new_case_has_none() {
             "the samples are 0.06 s apart",
             "rate of sampling",
         ),
+        (
+            &["material.rock.unit_weight=\"2600 kN/m3\""],
+            "density of 'rock': 265036 kg/m3",
+            "`unit_weight` in kN/m3",
+        ),
+        (&["material.rock.unit_weight=\"2.6 kN/m3\""], "density of 'rock': 265 kg/m3", "`density` in kg/m3"),
+        (&["initial.gravity=\"981 m/s2\""], "gravity: 981 m/s2", "9.81 m/s2"),
+        (&["initial.overburden=\"27 GPa\""], "overburden: 27 GPa", "look at its unit"),
+        (&["initial.overburden=\"27 Pa\""], "overburden: 27 Pa", "look at its unit"),
+        (
+            &[
+                "material.rock.law=mohr-coulomb",
+                "material.rock.cohesion=\"1 MPa\"",
+                "material.rock.friction_angle=\"40 deg\"",
+                "material.rock.tensile_strength=\"9 MPa\"",
+            ],
+            "tensile strength of 'rock': 9 MPa, 2.098 of",
+            "look at the units of tensile_strength",
+        ),
     ];
     for (set, message, remedy) in slips {
         let mut args = vec!["check", "study/case.toml"];
@@ -46,11 +65,15 @@ fn slips_of_units_are_warned_of_and_a_new_case_has_none() {
         "mesh.caverns.cavern[0].width=\"58 m\"",
         "dynamic.duration=\"11 s\"",
         "motion.process=[\"scale 0.05\"]",
+        "material.rock.unit_weight=\"38 kN/m3\"",
+        "initial.gravity=\"9.8 m/s2\"",
+        "initial.overburden=\"5.4 MPa\"",
     ] {
         let words = errors(&tremolite(at, &["check", "study/case.toml", "--set", set]));
         assert!(
             !words.contains("m wide; caverns")
                 && !words.contains("goes on")
+                && !words.contains("(usual ")
                 && !words.contains(" g; earthquakes"),
             "{words}"
         );

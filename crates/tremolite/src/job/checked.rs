@@ -3,6 +3,8 @@
 mod json;
 mod stages;
 
+pub use json::diagnostics;
+
 use super::Job;
 use crate::disk::{Disk, disk};
 use crate::interfaces::{interfaces, monitors};

@@ -1,14 +1,19 @@
 //! What a motion that can be read and processed is warned of: numbers that are not what they seem.
 
 use super::facts::{SiteFacts, largest};
+use super::processing::Processing;
 use super::records::Channels;
 use crate::trust::{MOST_MASS_DAMPING, MOST_MISSED, NOT_RUN, left_after, mass_damping};
 use std::f64::consts::PI;
-use tremolite_case::{self as case, Diagnostic, Site};
-use tremolite_motion::{Channel, Motion, Process};
+use tremolite_case::{self as case, Diagnostic, Site, Window};
+use tremolite_motion::{Channel, MATCHED, Motion, Process, TargetSpectrum, misfit, scale_to};
 
 /// A window's displacement over that of the whole record from which on it is doubted.
 const MADE_BY_THE_WINDOW: f64 = 1.5;
+/// Share of a window that may lie outside its record: records begin and end at samples.
+const BEYOND: f64 = 0.01;
+/// Misfit to the target that steps behind a match may leave: twice that of the match.
+const OFF_TARGET: f64 = 2.0 * MATCHED;
 /// Part of a peak that was asked for by which later steps may change it.
 const PEAK_KEPT: f64 = 0.05;
 /// Loss of amplitude by straight lines between samples that is worth a word.
@@ -19,35 +24,127 @@ const LEFT_OUT: f64 = 0.01;
 const LINEAR: f64 = 5e-4;
 
 /// The largest displacement of channels \[m\], each from rest.
-fn displacement(channels: &[&mut Channel]) -> f64 {
+fn displacement(channels: &Channels) -> f64 {
     let of = |channel: &Channel| {
         let still = vec![0.0; channel.acceleration.len()];
         let along = [channel.acceleration.clone(), still.clone(), still];
         Motion::from_acceleration(channel.dt, along).map_or(0.0, |motion| largest(&motion.displacement[0]))
     };
-    channels.iter().map(|channel| of(channel)).fold(0.0, f64::max)
+    channels.all().into_iter().map(of).fold(0.0, f64::max)
+}
+
+/// A window that reaches beyond its record by more than a hundredth of its length. `whole` is the record before the window.
+pub fn of_reach(motion: &case::Motion, whole: &Channels) -> Option<Diagnostic> {
+    let window = motion.window.as_ref()?;
+    let first = whole.all().into_iter().next()?;
+    let [start, end] = [first.start, first.end()];
+    let (wanted, length, lacking) = match window.value {
+        Window::Between(from, to) => {
+            (format!("{from} s to {to} s"), to - from, (start - from).max(0.0) + (to - end).max(0.0))
+        }
+        Window::Strongest(length) => {
+            (format!("the strongest {length} s"), length, (length - (end - start)).max(0.0))
+        }
+    };
+    (lacking > BEYOND * length + first.dt).then(|| {
+        Diagnostic::at(
+            window,
+            format!(
+                "window: {wanted} ({lacking:.2} s of it lie outside the record, {start:.2} s to {end:.2} s)"
+            ),
+            "give a window inside the record, or leave `window` out",
+        )
+    })
 }
 
 /// A window that is cut in the middle of the motion knows neither the velocity nor the displacement at its beginning, and what brings
-/// it to rest makes up others. `whole` is the record before the window.
+/// it to rest makes up others. `whole` is the record before the window, `cut` that within it, `processed` this after all steps. Where the
+/// whole record cannot be matched to the target both are compared in front of the match.
 pub fn of_window(
-    motion: &case::Motion,
-    mut whole: Channels,
-    windowed: &mut Channels,
-    steps: &[Process],
+    processing: &Processing,
+    whole: Channels,
+    cut: Channels,
+    processed: &Channels,
 ) -> Option<Diagnostic> {
-    let window = motion.window.as_ref()?;
-    tremolite_motion::process(&mut whole.each(), steps).ok()?;
-    let [all, part] = [displacement(&whole.each()), displacement(&windowed.each())];
+    let window = processing.motion.window.as_ref()?;
+    let count = processing.steps.len();
+    let (all, part, before) = match processing.applied(whole.clone(), count) {
+        Some(whole) => (displacement(&whole), displacement(processed), ""),
+        None => {
+            let count = processing.before_match()?;
+            let [whole, cut] = [whole, cut].map(|channels| processing.applied(channels, count));
+            (displacement(&whole?), displacement(&cut?), " in front of \"match\"")
+        }
+    };
     (part > MADE_BY_THE_WINDOW * all).then(|| {
         Diagnostic::at(
             window,
             format!(
-                "the window, processed, is displaced by up to {part:.3} m, the whole record, processed alike, by {all:.3} m: a window cut out of \
-                 its motion lacks the velocity and displacement at the cut, and the processing puts in others"
+                "the window, processed, is displaced by up to {part:.3} m, the whole record, processed alike, by {all:.3} m{before}: a window \
+                 cut out of its motion lacks the velocity and displacement at the cut, and the processing puts in others"
             ),
             "begin and end the window where the ground hardly moves, use the whole record, or put a high-pass whose period is well \
              below the window's length after the taper",
+        )
+    })
+}
+
+/// Steps that later steps undo: a factor in front of a step that scales the motion itself, and a match in front of steps that
+/// change its spectrum.
+pub fn of_steps(processing: &Processing, processed: &Channels) -> Vec<Diagnostic> {
+    let Processing { motion, target, steps } = processing;
+    let sets_size = |step: &Process| matches!(step, Process::PeakAcceleration { .. } | Process::Match { .. });
+    let mut doubts = Vec::new();
+    for (k, (step, word)) in steps.iter().zip(&motion.process).enumerate() {
+        let idle = match step {
+            // A negative number turns the motion round, which stays.
+            Process::Scale(number) => *number > 0.0 && *number != 1.0,
+            Process::PeakAcceleration { .. } => true,
+            _ => false,
+        };
+        let Some(later) = steps[k + 1..].iter().position(sets_size).filter(|_| idle) else { continue };
+        let later = &motion.process[k + 1 + later].value;
+        doubts.push(Diagnostic::at(
+            word,
+            format!("\"{}\": no effect, since \"{later}\" behind it scales the motion anew", word.value),
+            format!("leave it out, or put it behind \"{later}\""),
+        ));
+    }
+    doubts.extend(target.and_then(|target| of_match(motion, target, steps, processed)));
+    doubts
+}
+
+/// A spectrum that steps behind the last match have changed beyond its tolerance, whatever factor they have put on it.
+fn of_match(
+    motion: &case::Motion,
+    target: &TargetSpectrum,
+    steps: &[Process],
+    processed: &Channels,
+) -> Option<Diagnostic> {
+    let last = steps.iter().rposition(|step| matches!(step, Process::Match { .. }))?;
+    let keeps = |step: &Process| {
+        matches!(step, Process::Scale(_) | Process::PeakAcceleration { .. } | Process::Resample { .. })
+    };
+    let changed = steps[last + 1..].iter().position(|step| !keeps(step))?;
+    let Process::Match { band } = steps[last] else { return None };
+    let band = target.band(band).ok()?;
+    let off = |channel: &Channel| {
+        let factor = scale_to(&channel.acceleration, channel.dt, target, band).ok()?;
+        let scaled: Vec<f64> = channel.acceleration.iter().map(|a| factor * a).collect();
+        Some(misfit(&scaled, channel.dt, target, band).ok()?.largest)
+    };
+    let largest = processed.horizontal().into_iter().filter_map(off).fold(0.0, f64::max);
+    let (word, changing) = (&motion.process[last], &motion.process[last + 1 + changed].value);
+    (largest > OFF_TARGET).then(|| {
+        Diagnostic::at(
+            word,
+            format!(
+                "misfit to the target: {:.0} % (limit {:.0} %) after \"{changing}\", which stands behind \"{}\"",
+                100.0 * largest,
+                100.0 * OFF_TARGET,
+                word.value
+            ),
+            format!("put \"{}\" behind the steps that change the spectrum", word.value),
         )
     })
 }
@@ -58,6 +155,15 @@ pub fn of_peak(motion: &case::Motion, channels: &mut Channels, steps: &[Process]
         Process::PeakAcceleration { value, units } => Some((value * units.factor()?, word)),
         _ => None,
     })?;
+    // A match behind it is told of by itself.
+    if steps
+        .iter()
+        .rev()
+        .find(|s| matches!(s, Process::PeakAcceleration { .. } | Process::Match { .. }))
+        .is_some_and(|last| matches!(last, Process::Match { .. }))
+    {
+        return None;
+    }
     let found = channels.each().iter().map(|channel| largest(&channel.acceleration)).fold(0.0, f64::max);
     ((found / step - 1.0).abs() > PEAK_KEPT).then(|| {
         Diagnostic::at(
@@ -72,6 +178,7 @@ pub fn of_peak(motion: &case::Motion, channels: &mut Channels, steps: &[Process]
 
 /// Samples that lie so far apart that straight lines between them lose of what moves fastest: sinc² of frequency times interval.
 pub fn of_sampling(motion: &case::Motion, dt: f64, highest: f64) -> Option<Diagnostic> {
+    // What does not move loses nothing.
     let x = PI * highest * dt;
     let lost = 1.0 - (x.sin() / x).powi(2);
     (lost > LOST_BETWEEN).then(|| {

@@ -4,7 +4,7 @@ use crate::deconvolution::Place;
 use crate::waves::{Entering, Frame, WaveType};
 use tremolite_case::{self as case, Diagnostic};
 use tremolite_engine::column::corner_name;
-use tremolite_motion::{Complex64, Intensity, Kind};
+use tremolite_motion::{Complex64, Intensity, Kind, Motion};
 
 /// The share of the velocity's energy below what counts as the highest frequency.
 pub const ENERGY_SHARE: f64 = 0.999;
@@ -31,8 +31,10 @@ pub struct MotionFacts {
     pub source: String,
     /// The part of the record that is used \[s\].
     pub window: [f64; 2],
-    /// Largest acceleration of the incident wave along x, y, z, by size \[m/s²\].
-    pub incident_peak: [f64; 3],
+    /// Peaks of the incident wave along x, y, z; of waves at angles those of all together at their common place at the base.
+    pub incident: [Peaks; 3],
+    /// Design displacement of the ground d_g of a target of `en1998` \[m\]; none with another target.
+    pub design_displacement: Option<f64>,
     /// Frequency below which 99.9 % of the energy of the incident wave's velocity lies \[Hz\].
     pub highest_frequency: f64,
     /// Lowest low-pass corner that was applied \[Hz\].
@@ -40,6 +42,29 @@ pub struct MotionFacts {
     /// What reading did beside reading, directions that do not fit, and numbers that are not what they seem, at their places in the
     /// case.
     pub warnings: Vec<Diagnostic>,
+}
+
+/// Largest sizes of a motion along an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Peaks {
+    /// \[m/s²\]
+    pub acceleration: f64,
+    /// \[m/s\]
+    pub velocity: f64,
+    /// \[m\]
+    pub displacement: f64,
+}
+
+impl Peaks {
+    /// Those of a motion times a factor, along x, y, z.
+    pub(super) fn of(motion: &Motion, factor: f64) -> [Peaks; 3] {
+        let size = |values: &[f64]| factor.abs() * largest(values);
+        [0, 1, 2].map(|axis| Peaks {
+            acceleration: size(&motion.acceleration[axis]),
+            velocity: size(&motion.velocity[axis]),
+            displacement: size(&motion.displacement[axis]),
+        })
+    }
 }
 
 impl MotionFacts {

@@ -17,6 +17,7 @@ mod motion;
 mod page;
 mod places;
 mod planes;
+mod processing;
 mod records;
 mod regions;
 mod reinforcement;
@@ -35,7 +36,7 @@ mod water;
 mod wave_sides;
 mod waves;
 
-pub use facts::{CarriedFacts, MotionFacts, SiteFacts, SoilFacts, WaveFacts};
+pub use facts::{CarriedFacts, MotionFacts, Peaks, SiteFacts, SoilFacts, WaveFacts};
 pub use inputs::{changed, original_folder};
 pub use memory::Inputs;
 pub use page::limits;
@@ -187,6 +188,13 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     }
     interfaces::tie(case, &mut mesh, &mut problems);
     let reference = reference(case, motion.as_ref());
+    if let (Some(band), None, Some(_)) = (&case.dynamic.band, reference, &motion) {
+        problems.push(case::Diagnostic::at(
+            &band.ratio,
+            "the motion is zero, so it has no central frequency at which moduli could be meant",
+            "write the frequency in `damping`: reference = \"0 Hz\" for moduli of slow loading",
+        ));
+    }
     let band = reference.and_then(|reference| band(case, reference, &mut problems));
     let mut bodies = regions::build(case, &mesh, &laws.materials, band, &mut problems);
     let mut staged = Staged::build(case, &mesh, &mut bodies, &laws.materials, band, &mut problems);
@@ -279,6 +287,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(motion.and_then(|motion| doubts::of_rows(case, motion)));
     let more: Vec<_> = staged.saturated.iter().map(|&body| (body, staged.materials[body])).collect();
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, &more, reference);
+    warnings.extend(unlikely::physics(case, &materials));
     let dynamic = &case.dynamic;
     let shaking = |motion: &tremolite_motion::Motion| match &dynamic.duration {
         Some(given) => given.value,

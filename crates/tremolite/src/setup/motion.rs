@@ -1,11 +1,12 @@
 //! The motion of a case: records read, cut, processed and turned into the model's axes.
 
 use super::doubts;
-use super::facts::{ENERGY_SHARE, MotionFacts, largest};
+use super::facts::{ENERGY_SHARE, MotionFacts, Peaks, largest};
 use super::memory::Inputs;
+use super::processing::{Processing, steps};
 use super::{records, target, unlikely};
 use tremolite_case::{self as case, Case, Diagnostic};
-use tremolite_motion::{Intensity, Kind, Motion, Process, highest_frequency};
+use tremolite_motion::{Intensity, Kind, Motion, TargetSpectrum, highest_frequency};
 
 /// The given motion in the model's axes, and what to report of it; nothing if there is none or it was refused.
 pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Option<(Motion, MotionFacts)> {
@@ -27,23 +28,17 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
         let (message, remedy) = e.message_and_remedy();
         problems.push(Diagnostic::at(window, message, remedy));
     }
+    let cut = channels.clone();
     let target = target::of_case(case).map_err(|problem| problems.push(problem)).ok().flatten();
-    for (step, word) in steps.iter().zip(&motion.process) {
-        if let Process::Match { .. } = step {
-            if problems.len() == before {
-                let done = target::matched(motion, target.as_ref(), step, word, &mut channels);
-                problems.extend(done.err());
-            }
-        } else if let Err(e) = step.apply(&mut channels.each()) {
-            let (message, remedy) = e.message_and_remedy();
-            problems.push(Diagnostic::at(word, message, remedy));
-        }
-    }
+    let processing = Processing { motion, target: target.as_ref(), steps: &steps };
+    processing.apply(&mut channels, steps.len(), problems, before);
     if problems.len() > before {
         return None;
     }
-    warnings.extend(doubts::of_window(motion, whole, &mut channels, &steps));
+    warnings.extend(doubts::of_reach(motion, &whole));
+    warnings.extend(doubts::of_window(&processing, whole, cut, &channels));
     warnings.extend(doubts::of_peak(motion, &mut channels, &steps));
+    warnings.extend(doubts::of_steps(&processing, &channels));
     let (mut source, window) = channels.facts();
     let process: Vec<&str> = motion.process.iter().map(|step| step.value.as_str()).collect();
     if !process.is_empty() {
@@ -60,15 +55,8 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
             return None;
         }
     };
-    let Some(highest_frequency) = highest_frequency(&made, ENERGY_SHARE) else {
-        let message = "the motion is zero everywhere, so the run would do nothing";
-        problems.push(Diagnostic::new(
-            motion.span.clone(),
-            message,
-            "check the records, the window and the scale",
-        ));
-        return None;
-    };
+    // Of a motion that is zero everywhere, a test of rest, 0.
+    let highest_frequency = highest_frequency(&made, ENERGY_SHARE).unwrap_or(0.0);
     if let Some(problem) = factor.and_then(|factor| beyond_any_earthquake(&motion.span, &made, factor)) {
         problems.push(problem);
         return None;
@@ -83,7 +71,8 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
         condition: None,
         lead: 0.0,
         series: 0,
-        incident_peak: made.acceleration.each_ref().map(|a| factor.unwrap_or(1.0) * largest(a)),
+        incident: Peaks::of(&made, factor.unwrap_or(1.0)),
+        design_displacement: target.as_ref().and_then(TargetSpectrum::design_displacement),
         intensity: made.acceleration.each_ref().map(|a| Intensity::of_samples(a, made.dt)),
         source,
         window,
@@ -123,21 +112,4 @@ pub(super) fn beyond_any_earthquake(
         }
     }
     None
-}
-
-/// The steps of processing; those that cannot be read are among the problems.
-fn steps(motion: &case::Motion, problems: &mut Vec<Diagnostic>) -> Vec<Process> {
-    motion
-        .process
-        .iter()
-        .filter_map(|word| match Process::parse(word) {
-            Ok(step) => Some(step),
-            Err(message) => {
-                // The reader of steps tells their forms behind what is wrong.
-                let (what, remedy) = message.split_once("; ").unwrap_or((&message, "see docs/records.md"));
-                problems.push(Diagnostic::at(word, what, remedy));
-                None
-            }
-        })
-        .collect()
 }

@@ -56,10 +56,15 @@ pub fn of(
         }
     };
     refuse_what_is_no_acceleration(&mut channels, &places, problems)?;
+    align(&mut channels.each());
+    let before: Vec<Channel> = channels.all().into_iter().cloned().collect();
     if let Err(e) = channels.share_time() {
         let (message, remedy) = e.message_and_remedy();
         problems.push(Diagnostic::new(motion.span.clone(), message, remedy));
         return None;
+    }
+    for ((whole, kept), place) in before.iter().zip(channels.all()).zip(&places) {
+        warnings.extend(not_shared(whole, kept, place));
     }
     for (channel, place) in channels.each().iter().zip(&places) {
         let remark = |remark: &String| {
@@ -72,6 +77,38 @@ pub fn of(
         warnings.extend(channel.remarks.iter().map(remark));
     }
     Some((channels, warnings))
+}
+
+/// Share of a component's ∫a² dt that may lie outside the span that all components have.
+const NOT_SHARED: f64 = 0.01;
+
+/// A component of which the span that all components share leaves something out.
+fn not_shared(whole: &Channel, kept: &Channel, place: &Range<usize>) -> Option<Diagnostic> {
+    let mean = whole.acceleration.iter().sum::<f64>() / whole.acceleration.len() as f64;
+    let energy = |inside: bool| -> f64 {
+        let span = kept.start - 0.5 * whole.dt..=kept.end() + 0.5 * whole.dt;
+        let time = |k: usize| whole.start + k as f64 * whole.dt;
+        let samples =
+            whole.acceleration.iter().enumerate().filter(|(k, _)| inside || !span.contains(&time(*k)));
+        samples.map(|(_, a)| (a - mean).powi(2)).sum()
+    };
+    let share = energy(false) / energy(true);
+    (share > NOT_SHARED).then(|| {
+        Diagnostic::new(
+            place.clone(),
+            format!(
+                "'{}': {:.0} % of its energy (∫a² dt) does not enter; it lasts from {:.2} s to {:.2} s, all components together from {:.2} s to \
+                 {:.2} s",
+                whole.name,
+                100.0 * share,
+                whole.start,
+                whole.end(),
+                kept.start,
+                kept.end()
+            ),
+            "give components of one length, the shorter ones with zeros at their ends, or leave the shortest component out",
+        )
+    })
 }
 
 /// Nothing, if one channel is of a sensor that does not record acceleration, or in counts still.
@@ -158,10 +195,27 @@ impl Channels {
         }
     }
 
-    /// Sets them on one time base: by their clocks where all have one, and by interpolation where their samples differ.
+    /// The same to read.
+    pub fn all(&self) -> Vec<&Channel> {
+        match self {
+            Channels::Oriented(all) => all.iter().collect(),
+            Channels::Named(all) => all.iter().flatten().collect(),
+        }
+    }
+
+    /// Those that do not say that they are vertical.
+    pub fn horizontal(&self) -> Vec<&Channel> {
+        match self {
+            Channels::Oriented(all) => {
+                all.iter().filter(|c| c.orientation != Some(Orientation::Up)).collect()
+            }
+            Channels::Named(all) => all[..2].iter().flatten().collect(),
+        }
+    }
+
+    /// Sets them, aligned by their clocks where all have one, on one time base, by interpolation where their samples differ.
     fn share_time(&mut self) -> Result<(), tremolite_motion::Error> {
-        let mut channels = self.each();
-        align(&mut channels);
+        let channels = self.each();
         let shared = common_time_base(&channels.iter().map(|c| &**c).collect::<Vec<_>>())?;
         for (channel, on_base) in channels.into_iter().zip(shared) {
             *channel = on_base;
@@ -290,9 +344,11 @@ fn record_channel(
             return None;
         }
     };
-    let names: Vec<String> = channels.iter().map(|c| c.name.clone()).collect();
+    // The label stays what it is where the file is renamed.
+    let shown = |c: &Channel| if c.label.is_empty() { c.name.clone() } else { c.label.clone() };
+    let names: Vec<String> = channels.iter().map(shown).collect();
     let chosen = match &record.channel {
-        Some(wanted) => channels.into_iter().find(|c| c.name == wanted.value),
+        Some(wanted) => channels.into_iter().find(|c| c.is_called(&wanted.value)),
         None if channels.len() == 1 => channels.into_iter().next(),
         None => {
             let wanted = [Orientation::EAST, Orientation::NORTH, Orientation::Up][axis];

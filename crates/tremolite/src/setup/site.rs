@@ -1,7 +1,7 @@
 //! From the motion of a case to the wave that comes in: times a factor, or deconvolved through the ground it was recorded on.
 
 use super::doubts;
-use super::facts::{ENERGY_SHARE, MotionFacts, SiteFacts, SoilFacts, largest};
+use super::facts::{ENERGY_SHARE, MotionFacts, Peaks, SiteFacts, SoilFacts, largest};
 use super::motion::beyond_any_earthquake;
 use super::soil;
 use crate::deconvolution::{Deconvolved, LEAST, Notch, Place};
@@ -50,7 +50,7 @@ pub fn enter<'a>(
                 problems.push(problem);
                 return None;
             }
-            facts.incident_peak = wave.acceleration.each_ref().map(|a| largest(a));
+            facts.incident = Peaks::of(&wave, 1.0);
             facts.highest_frequency =
                 highest_frequency(&wave, ENERGY_SHARE).unwrap_or(facts.highest_frequency);
             let recorded = Recorded {

@@ -1,11 +1,26 @@
 //! Numbers that can be computed with and are hardly meant: slips of units and of a decimal point.
 
 use super::facts::largest;
+use indexmap::IndexMap;
 use std::ops::RangeInclusive;
-use tremolite_case::{self as case, Case, Diagnostic, Mesh, Spanned};
+use tremolite_case::{self as case, Case, Diagnostic, Mesh, Spanned, units};
+use tremolite_laws::Dimension;
 use tremolite_mesh as mesh;
 use tremolite_motion::{Motion, STANDARD_GRAVITY};
+use tremolite_results::MaterialFacts;
 
+/// Acceleration of gravity on Earth \[m/s²\], rounded values included.
+const GRAVITY: RangeInclusive<f64> = 9.7..=10.0;
+/// Density of ground and concrete \[kg/m³\]: from peat to ores.
+const DENSITY: RangeInclusive<f64> = 1000.0..=4000.0;
+/// Weight of a metre of rock \[Pa\].
+const ROCK: f64 = 27e3;
+/// Pressure on the top of a model \[Pa\]: of half a metre of soil and of rock 3 km thick, [`OVERBURDEN`].
+const PRESSURE: RangeInclusive<f64> = 1e4..=ROCK * OVERBURDEN;
+/// f_t over f_c of concrete: 0.05 for C90 to 0.08 for C12 (`mc2010`, table 5.1-3), with room for what cohesion and friction make of f_c.
+const CONCRETE_TENSION: RangeInclusive<f64> = 0.02..=0.25;
+/// The same of rock, which may have no tensile strength. An assumption: tests of rock lie below 0.2, fitted envelopes higher.
+const ROCK_TENSION: RangeInclusive<f64> = 0.0..=0.5;
 /// Extent of a model \[m\] beyond that of any underground complex with the rock around it.
 const MODEL: f64 = 5e3;
 /// Width and height of a cavern \[m\]: hardly a hall in rock is wider, and the highest powerhouses have some 90 m.
@@ -94,12 +109,99 @@ fn linings(case: &Case) -> Vec<Diagnostic> {
     all
 }
 
+/// Of gravity, of what lies on the model, and of densities and strengths. Densities are left to a second look where gravity, by which
+/// unit weights are divided, is no gravity.
+pub fn physics(case: &Case, materials: &IndexMap<String, MaterialFacts>) -> Vec<Diagnostic> {
+    let mut all = Vec::new();
+    let gravity = &case.initial.gravity;
+    // 0 is none.
+    let odd_gravity = gravity.value != 0.0 && !GRAVITY.contains(&gravity.value);
+    if odd_gravity {
+        all.push(Diagnostic::at(
+            gravity,
+            format!(
+                "gravity: {} m/s2 (usual {} to {}); unit weights are divided by it",
+                gravity.value,
+                GRAVITY.start(),
+                GRAVITY.end()
+            ),
+            "look at its unit; on Earth it is 9.81 m/s2",
+        ));
+    }
+    if let Some(pressure) = &case.initial.overburden
+        && !PRESSURE.contains(&pressure.value)
+    {
+        all.push(Diagnostic::at(
+            pressure,
+            format!(
+                "overburden: {} (usual {} to {}), the weight of about {:.3e} m of rock",
+                pressure_in_words(pressure.value),
+                pressure_in_words(*PRESSURE.start()),
+                pressure_in_words(*PRESSURE.end()),
+                pressure.value / ROCK
+            ),
+            "look at its unit",
+        ));
+    }
+    for material in &case.materials {
+        let density = &material.density;
+        if !odd_gravity && !DENSITY.contains(&density.value) {
+            all.push(Diagnostic::at(
+                density,
+                format!(
+                    "density of '{}': {:.0} kg/m3 (usual {} to {})",
+                    material.name.value,
+                    density.value,
+                    DENSITY.start(),
+                    DENSITY.end()
+                ),
+                "look at its unit: `density` in kg/m3 or g/cm3, `unit_weight` in kN/m3",
+            ));
+        }
+        all.extend(materials.get(&material.name.value).and_then(|facts| tensile_strength(material, facts)));
+    }
+    all
+}
+
+/// A pressure to four digits.
+fn pressure_in_words(pressure: f64) -> String {
+    units::format(format!("{pressure:.3e}").parse().unwrap_or(pressure), Dimension::PRESSURE)
+}
+
+/// Of a tensile strength beside the compressive one: as given, though a law may use less.
+fn tensile_strength(material: &case::Material, facts: &MaterialFacts) -> Option<Diagnostic> {
+    let value = |name: &str| facts.values.iter().find(|value| value.name == name).map(|value| value.value);
+    let (tension, pressure) = (value("tensile_strength")?, value("compressive_strength")?);
+    let usual = if facts.law.starts_with("concrete") { CONCRETE_TENSION } else { ROCK_TENSION };
+    let ratio = tension / pressure;
+    (pressure > 0.0 && !usual.contains(&ratio)).then(|| {
+        Diagnostic::new(
+            material.span.clone(),
+            format!(
+                "tensile strength of '{}': {}, {ratio:.3} of the compressive strength {} (usual {} to {})",
+                material.name.value,
+                pressure_in_words(tension),
+                pressure_in_words(pressure),
+                usual.start(),
+                usual.end()
+            ),
+            "look at the units of tensile_strength, cohesion and compressive_strength",
+        )
+    })
+}
+
 /// Of a record as it is processed, in the model's axes.
 pub fn record(written: &case::Motion, given: &Motion) -> Vec<Diagnostic> {
     let mut all = Vec::new();
     let peak = given.acceleration.iter().map(|a| largest(a)).fold(0.0, f64::max);
     let in_g = peak / STANDARD_GRAVITY;
-    if !PEAK.contains(&in_g) {
+    if peak == 0.0 {
+        all.push(Diagnostic::new(
+            written.span.clone(),
+            "motion: 0 m/s2 everywhere, so the run tests whether the model stays at rest",
+            "nothing, if that is meant; else look at the records, `window` and \"scale\"",
+        ));
+    } else if !PEAK.contains(&in_g) {
         let message = format!(
             "the processed motion reaches {peak:.3} m/s2, {in_g:.4} g; earthquakes that matter to a cavern reach {} to {} g",
             PEAK.start(),

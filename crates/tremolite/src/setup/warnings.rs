@@ -40,7 +40,7 @@ pub fn of_laws(case: &Case, bodies: &[Body], fields: &[Field]) -> Vec<case::Diag
             let message = format!(
                 "P waves would travel at {pressure:.0} m/s, where rock and concrete have 100 to 10000 m/s"
             );
-            let remedy = "look at the units of young and density";
+            let remedy = "look at the units of young and density, and of gravity beside unit_weight";
             warnings.push(case::Diagnostic::new(span.clone(), message, remedy));
         }
     }

@@ -1,6 +1,6 @@
 //! Waves at angles of a case: what they are in the model's axes, what of them is refused, and the field that they make.
 
-use super::facts::{MotionFacts, WaveFacts, largest};
+use super::facts::{MotionFacts, Peaks, WaveFacts, largest};
 use super::site::Around;
 use crate::plan::PlannedWaves;
 use crate::waves::resolved::{column, resolve};
@@ -218,6 +218,28 @@ fn factor(motion: &case::Motion, wave: &case::Wave, base: &Rock) -> Result<Compl
     Ok(scale / coefficient)
 }
 
+/// Components of a file with all components that no wave carries. One that is written by itself is refused before.
+fn not_carried(written: &case::Motion, given: &Motion) -> Vec<Diagnostic> {
+    let case::Records::File(file) = &written.records else { return Vec::new() };
+    let carries = |component: WaveComponent| {
+        let by = |wave: &case::Wave| [component, WaveComponent::Together].contains(&wave.component.value);
+        written.waves.iter().any(by)
+    };
+    [WaveComponent::East, WaveComponent::North, WaveComponent::Up]
+        .into_iter()
+        .zip(&given.acceleration)
+        .filter(|(component, a)| largest(a) > 0.0 && !carries(*component))
+        .map(|(component, a)| {
+            let name = component.word();
+            Diagnostic::at(
+                file,
+                format!("component '{name}': {:.3} m/s2 at most; no [[motion.wave]] carries it, so it does not enter", largest(a)),
+                format!("add a wave with component = \"{name}\", or give the components that are meant by `east`, `north` and `up`"),
+            )
+        })
+        .collect()
+}
+
 /// The field of all waves of a motion, and what is to be reported of it; nothing where it is refused.
 pub fn enter(
     case: &Case,
@@ -245,6 +267,7 @@ fn field(
     around: &Around,
     bounds: [[f64; 3]; 2],
 ) -> Result<PlannedWaves, Diagnostic> {
+    facts.warnings.extend(not_carried(written, &geographic(given, written.model_x_azimuth.value)));
     let ground = ground(written, around)?;
     let base = ground.below();
     let azimuth = written.model_x_azimuth.value;
@@ -294,14 +317,6 @@ fn field(
             "give the rock damping, leave out layers far softer than what lies below them, or choose an angle below the critical one",
         )
     })?;
-    let mut peak = [0.0; 3];
-    for wave in &waves {
-        let most: f64 =
-            wave.factors.iter().zip(&motion.acceleration).map(|(f, a)| f.norm() * largest(a)).sum();
-        let moves = wave.heading.polarisation();
-        (0..3).for_each(|i| peak[i] += most * moves[i].abs());
-    }
-    facts.incident_peak = peak;
     // Each wave has its own.
     facts.factor = None;
     facts.waves = waves
@@ -312,5 +327,7 @@ fn field(
     facts.condition = condition;
     facts.lead = field.lead();
     facts.series = field.bytes();
-    Ok(PlannedWaves::new(field, frame, waves, given))
+    let planned = PlannedWaves::new(field, frame, waves, given);
+    facts.incident = Peaks::of(&planned.incident, 1.0);
+    Ok(planned)
 }

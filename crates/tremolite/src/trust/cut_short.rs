@@ -14,7 +14,9 @@ pub(crate) fn left_after(motion: &Motion, time: f64) -> f64 {
         // A sum of nothing is −0.
         motion.acceleration.iter().flat_map(|a| a.iter().skip(from)).fold(0.0, |sum, a| sum + a * a)
     };
-    energy(rows.saturating_add(1)) / energy(0)
+    let all = energy(0);
+    // A motion that is zero everywhere leaves nothing behind.
+    if all > 0.0 { energy(rows.saturating_add(1)) / all } else { 0.0 }
 }
 
 pub(super) fn line(evidence: &Evidence) -> TrustLine {

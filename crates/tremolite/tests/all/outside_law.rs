@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use tremolite::evidence::Evidence;
 use tremolite::plan::{Monitor, Plan};
 use tremolite::run::{Control, run};
-use tremolite::setup::MotionFacts;
+use tremolite::setup::{MotionFacts, Peaks};
 use tremolite::simulation::{Built, Simulation, Start};
 use tremolite::summary::summary;
 use tremolite::survey::survey;
@@ -264,7 +264,8 @@ fn told(problem: Problem) -> Summary {
         condition: None,
         lead: 0.0,
         series: 0,
-        incident_peak: [0.0; 3],
+        incident: [Peaks::default(); 3],
+        design_displacement: None,
         intensity: [0, 1, 2].map(|i| Intensity::of_samples(&motion.acceleration[i], motion.dt)),
         source: "a pulse".into(),
         window: [0.0, 0.3],

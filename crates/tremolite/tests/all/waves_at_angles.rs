@@ -33,7 +33,6 @@ element = "one-point"
 [motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.005 s" }
-up = { from = "east", factor = 0.5 }
 process = ["baseline"]
 [[motion.wave]]
 type = "SV"
@@ -119,6 +118,11 @@ fn what_cannot_be_is_refused_with_its_line_and_a_remedy() {
             "component = \"north\"",
             "no component 'north'",
         ),
+        (
+            CASE.replace("process =", "up = { from = \"east\", factor = 0.5 }\nprocess ="),
+            "up =",
+            "carries `up`",
+        ),
         (CASE.replace("angle = \"25 deg\"", "angle = \"95 deg\""), "angle =", "must be from 0"),
         (
             CASE.replace("sides = \"free-field\"", "sides = \"viscous\""),
@@ -191,8 +195,9 @@ fn together(kind: &str, angles: [&str; 3], azimuths: [&str; 3]) -> String {
     let waves: Vec<[&str; 3]> = (0..3).map(of).collect();
     let waves: Vec<(&str, &str, &str)> = waves.iter().map(|[a, b, c]| (*a, *b, *c)).collect();
     let text = with_waves(&waves).replace("component = \"east\"", "component = \"together\"");
-    let north = "north = { from = \"east\", factor = -0.7 }\nup = { from";
-    text.replace("up = { from", north).replace("kind = \"incident\"", &format!("kind = \"{kind}\""))
+    let others =
+        "north = { from = \"east\", factor = -0.7 }\nup = { from = \"east\", factor = 0.5 }\nprocess =";
+    text.replace("process =", others).replace("kind = \"incident\"", &format!("kind = \"{kind}\""))
 }
 
 /// The bare rock of the base moves as recorded at the waves' common place; SV at 50° is beyond critical.

@@ -63,6 +63,7 @@ install = ["lining"]
             "[dynamic]",
             &format!("[[motion.wave]]\ntype = \"P\"\nangle = \"15 deg\"\nazimuth = \"{pressure} deg\"\ncomponent = \"up\"\n[dynamic]"),
         )
+        .replace("process =", "up = { from = \"east\", factor = 0.5 }\nprocess =")
         .replace("[motion]", more)
         .replace("levels = 1", &format!("levels = {levels}"))
         // In the walls of the hall, at both ends of x.

@@ -102,16 +102,20 @@ fn print_shaking(checked: &Checked, motion: &MotionFacts) {
         let kind = if k == 0 { format!("kind = {}: ", motion.kind) } else { String::new() };
         print(&format!("           {kind}{line}"));
     }
-    for (m, name) in motion.intensity.iter().zip(["x", "y", "z"]) {
-        let peaks = match m.pga > 0.0 {
-            true => format!("{} m/s2, {} m/s, {} m", figures(m.pga), figures(m.pgv), figures(m.pgd)),
-            false => "none".to_owned(),
-        };
-        print(&format!("           given peaks along {name}: {peaks}"));
+    let given = motion.intensity.each_ref().map(|m| [m.pga, m.pgv, m.pgd]);
+    let enters = motion.incident.map(|p| [p.acceleration, p.velocity, p.displacement]);
+    for (what, axes) in [("given", given), ("enters", enters)] {
+        for (peaks, name) in axes.into_iter().zip(["x", "y", "z"]) {
+            print(&format!("           {what} along {name}: {}", peaks_in_words(peaks)));
+        }
     }
-    let [x, y, z] = motion.incident_peak.map(figures);
-    print(&format!("           incident wave: {x}, {y}, {z} m/s2 along x, y, z"));
-    if let Some(coarsest) = survey.coarsest() {
+    if let Some(displacement) = motion.design_displacement {
+        print(&format!(
+            "           design displacement of the target, 0.025 a_g S T_C T_D: d_g {} m",
+            figures(displacement)
+        ));
+    }
+    if let Some(coarsest) = survey.coarsest().filter(|_| motion.highest_frequency > 0.0) {
         print(&format!(
             "           99.9 % of its energy lies below {:.1} Hz: {:.1} elements a shear wave there (8 or more is good); fewest in {}",
             motion.highest_frequency, coarsest.per_wavelength, checked.coarsest
@@ -302,6 +306,14 @@ fn brief(names: &str) -> String {
     match all.len() {
         0..=4 => names.to_owned(),
         count => format!("{} and {} groups more", all[..3].join(", "), count - 3),
+    }
+}
+
+/// Largest acceleration, velocity and displacement along an axis.
+fn peaks_in_words([a, v, u]: [f64; 3]) -> String {
+    match a > 0.0 {
+        true => format!("PGA {} m/s2, PGV {} m/s, PGD {} m", figures(a), figures(v), figures(u)),
+        false => "nothing".to_owned(),
     }
 }
 

@@ -9,8 +9,8 @@ use tremolite_case::{Case, Diagnostic, Language, Laws, Report};
 use tremolite_motion::TargetSpectrum;
 use tremolite_results::checksums::hash;
 use tremolite_study::plan::Plan;
-use tremolite_study::prepare;
 use tremolite_study::results::Prepared;
+use tremolite_study::{measure_paths, prepare};
 
 /// Tables of a case that change nothing before the earthquake.
 const OF_SHAKING: [&str; 3] = ["motion", "title", "report"];
@@ -24,11 +24,20 @@ pub struct Planned {
     pub before: Option<usize>,
 }
 
-/// All runs of a plan, and the language in which the case's pages are.
+/// What was made of a plan.
+pub struct Found {
+    pub planned: Vec<Planned>,
+    /// In which the case's pages are.
+    pub language: Language,
+    /// What is to be warned of in the motions, at the records in the study.
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// All runs of a plan.
 ///
 /// # Errors
 /// Everything that one of their cases is refused for, at its place in the study.
-pub fn of(study: &StudyFile, plan: &Plan) -> Result<(Vec<Planned>, Language), Report> {
+pub fn of(study: &StudyFile, plan: &Plan) -> Result<Found, Report> {
     let materials = infos();
     let laws = Laws::from(&materials);
     let base = prepare::base(study, laws)?;
@@ -38,7 +47,8 @@ pub fn of(study: &StudyFile, plan: &Plan) -> Result<(Vec<Planned>, Language), Re
         plan,
         laws,
         target,
-        problems: Vec::new(),
+        problems: [measure_paths::check(study, &base), prepare::replaced(study, &base)].concat(),
+        warnings: Vec::new(),
         motions: BTreeMap::new(),
         befores: BTreeMap::new(),
         hashes: BTreeMap::new(),
@@ -59,11 +69,15 @@ pub fn of(study: &StudyFile, plan: &Plan) -> Result<(Vec<Planned>, Language), Re
         let highest = plan.runs.get(number + 1).is_none_or(|next| next.chain != run.chain);
         planned.extend(maker.run(of_chain, of_sample, run, highest));
     }
+    let once = |problems: &mut Vec<Diagnostic>| {
+        let mut told = BTreeSet::new();
+        problems.retain(|p| told.insert((p.span.start, p.message.clone())));
+    };
+    once(&mut maker.problems);
+    once(&mut maker.warnings);
     if maker.problems.is_empty() {
-        return Ok((planned, base.page.language));
+        return Ok(Found { planned, language: base.page.language, warnings: maker.warnings });
     }
-    let mut told = BTreeSet::new();
-    maker.problems.retain(|p| told.insert((p.span.start, p.message.clone())));
     Err(study.report(maker.problems))
 }
 
@@ -80,6 +94,7 @@ struct Maker<'a> {
     /// The spectrum that the study names.
     target: Option<TargetSpectrum>,
     problems: Vec<Diagnostic>,
+    warnings: Vec<Diagnostic>,
     /// Measures of intensity by what the motion is made of.
     motions: BTreeMap<String, Vec<Option<f64>>>,
     befores: BTreeMap<String, usize>,
@@ -96,11 +111,12 @@ impl Maker<'_> {
     fn chain(&mut self, of_sample: &Case, record: Option<usize>) -> Option<Chain> {
         let case = prepare::with_motion(self.study, of_sample, record, None, self.laws);
         let case = self.kept(case)?;
+        self.warnings.extend(record.and_then(|record| prepare::left_out(self.study, of_sample, record)));
         let key = format!("{:?} {:?}", case.directory(), case.entries("motion"));
         let intensities = match self.motions.get(&key) {
             Some(known) => known.clone(),
             None => {
-                let found = self.intensities(&case, record)?;
+                let found = self.intensities(&case, of_sample, record)?;
                 self.motions.insert(key, found.clone());
                 found
             }
@@ -109,10 +125,21 @@ impl Maker<'_> {
     }
 
     /// The measures of the motion of a case; problems of it are told at its record.
-    fn intensities(&mut self, case: &Case, record: Option<usize>) -> Option<Vec<Option<f64>>> {
+    fn intensities(
+        &mut self,
+        case: &Case,
+        of_sample: &Case,
+        record: Option<usize>,
+    ) -> Option<Vec<Option<f64>>> {
         let motion = match motion_of(case) {
             Ok(None) => return Some(vec![None; self.plan.intensities.len()]),
-            Ok(Some((motion, _))) => motion,
+            Ok(Some((motion, facts))) => {
+                // Sizes are those of the levels, where there are some.
+                if self.plan.scaled_by.is_none() {
+                    self.warn(record, &facts.warnings);
+                }
+                motion
+            }
             Err(report) => {
                 let at = self.place(record);
                 self.problems.extend(
@@ -121,6 +148,13 @@ impl Maker<'_> {
                 return None;
             }
         };
+        if let Some(record) = record {
+            let vertical = motion.acceleration[2].iter().any(|a| *a != 0.0);
+            if let Err(problem) = prepare::vertical_of_file(self.study, of_sample, record, vertical) {
+                self.problems.push(problem);
+                return None;
+            }
+        }
         let target = match self.target.clone() {
             Some(target) => Some(target),
             None => match target_of(case) {
@@ -145,6 +179,16 @@ impl Maker<'_> {
             }
         }
         Some(found)
+    }
+
+    /// Keeps what a motion is warned of, at its record.
+    fn warn(&mut self, record: Option<usize>, warnings: &[Diagnostic]) {
+        let at = self.place(record);
+        let name = record.map(|record| format!("record '{}': ", self.study.records[record].name.value));
+        let name = name.unwrap_or_default();
+        let placed =
+            |p: &Diagnostic| Diagnostic::new(at.clone(), format!("{name}{}", p.message), p.remedy.clone());
+        self.warnings.extend(warnings.iter().map(placed));
     }
 
     /// By what a run is known again: its case on one line, and the contents of the files that it reads.
@@ -198,10 +242,11 @@ impl Maker<'_> {
             None => chain.case.clone(),
         };
         // The highest level is the first that is more than any earthquake.
-        if factor.is_some()
-            && highest
-            && let Err(report) = motion_of(&case)
-        {
+        let of_highest = (factor.is_some() && highest).then(|| motion_of(&case));
+        if let Some(Ok(Some((_, facts)))) = &of_highest {
+            self.warn(run.record, &facts.warnings);
+        }
+        if let Some(Err(report)) = of_highest {
             let at = self.study.scale.as_ref().map_or(0..0, |scale| scale.measure.span.clone());
             let told =
                 |p: Diagnostic| Diagnostic::new(at.clone(), format!("{}: {}", run.name, p.message), p.remedy);

@@ -3,7 +3,7 @@
 use super::Checked;
 use crate::setup::{SiteFacts, SoilFacts, WaveFacts};
 use serde_json::{Map, Value, json};
-use tremolite_case::{Diagnostic, Mesh};
+use tremolite_case::{Diagnostic, Mesh, Report};
 use tremolite_engine::column::corner_name;
 
 impl Checked<'_> {
@@ -24,6 +24,14 @@ impl Checked<'_> {
                 .zip(&motion.intensity)
                 .map(|(axis, m)| (axis.to_owned(), json!({ "pga": m.pga, "pgv": m.pgv, "pgd": m.pgd })))
                 .collect();
+            let enters: Map<String, Value> = ["x", "y", "z"]
+                .into_iter()
+                .zip(&motion.incident)
+                .map(|(axis, p)| {
+                    let peaks = json!({ "pga": p.acceleration, "pgv": p.velocity, "pgd": p.displacement });
+                    (axis.to_owned(), peaks)
+                })
+                .collect();
             json!({
                 "source": motion.source,
                 "window": motion.window,
@@ -34,6 +42,8 @@ impl Checked<'_> {
                 "lead": (!motion.waves.is_empty()).then_some(motion.lead),
                 "deconvolved": motion.site.as_ref().map(deconvolved),
                 "peaks": peaks,
+                "enters": enters,
+                "design_displacement": motion.design_displacement,
                 "highest_frequency": motion.highest_frequency,
                 "elements_per_wavelength": survey.coarsest().map(|body| body.per_wavelength),
                 "coarsest": self.coarsest,
@@ -103,16 +113,21 @@ impl Checked<'_> {
     /// What is allowed but hardly meant, each at its key and its line of the case; what comes from `--set` has none.
     fn findings(&self) -> Vec<Value> {
         let report = self.job.case.report(self.job.warnings().cloned().collect());
-        let finding = |problem: &Diagnostic| {
-            let place = problem.set.is_none().then(|| report.position(problem));
-            let (line, column) = place.unzip();
-            json!({
-                "key": problem.key, "line": line, "column": column, "set": problem.set,
-                "message": problem.message, "remedy": problem.remedy,
-            })
-        };
-        report.problems.iter().map(finding).collect()
+        diagnostics(&report)
     }
+}
+
+/// Problems of a case as programs read them, each at its key and its line; what comes from `--set` has no line.
+pub fn diagnostics(report: &Report) -> Vec<Value> {
+    let diagnostic = |problem: &Diagnostic| {
+        let place = problem.set.is_none().then(|| report.position(problem));
+        let (line, column) = place.unzip();
+        json!({
+            "key": problem.key, "line": line, "column": column, "set": problem.set,
+            "message": problem.message, "remedy": problem.remedy,
+        })
+    };
+    report.problems.iter().map(diagnostic).collect()
 }
 
 /// How a record on or within layered ground was deconvolved; what is infinite is null.
