@@ -142,14 +142,19 @@ fn a_path_with_time_shows_the_rate_and_one_without_does_not() {
 
 /// Smoothed strains are brought on every few steps. A steady rate then gives the factor of every step once the filter has forgotten
 /// its beginning. Over seismic strains with noise of the mesh on top, whose rates pass through zero where cracks begin, the factors
-/// differ from those of every step by at most twice what these differ by among phases of the noise, and by less than 0.2 % on average.
+/// differ from those of every step by at most twice what these differ by among phases of the noise. On average they differ by less than
+/// 0.2 % with a reference rate of 3·10⁻⁵ 1/s. With that of Model Code in tension, to which smaller rates count, phases differ more, and the
+/// difference of two means is known to √2/√32 of their standard deviation: three times that is allowed.
 #[test]
 fn smoothed_strains_brought_on_every_few_steps_give_the_same_factors() {
-    let (law, dt) = (law("ceb", 5e-3), 6e-5);
+    let (own, dt) = (law("ceb", 5e-3), 6e-5);
+    let values = values().with("rate_filter_time", 5e-3).with("reference_rate", 3e-5);
+    let larger = Concrete::new(&with_words(values, &[("rate", "ceb")])).unwrap();
+    let law = &own;
     let every = law.slow_steps(dt);
     assert_eq!(every, 4);
     assert_eq!((law.slow_steps(0.0), law.slow_steps(1.3e-4), law.slow_steps(1e-6)), (1, 1, 8));
-    let factor = |every: u64, strain: &dyn Fn(f64) -> f64| {
+    let factor_of = |law: &Concrete, every: u64, strain: &dyn Fn(f64) -> f64| {
         let mut history = virgin::<Concrete>();
         for n in 1..400_000 {
             let late = match n % every {
@@ -167,10 +172,10 @@ fn smoothed_strains_brought_on_every_few_steps_give_the_same_factors() {
     };
     for rate in [1e-4, 5e-4] {
         let steady = |t: f64| rate * t;
-        let (few, exact) = (factor(every, &steady), factor(1, &steady));
+        let (few, exact) = (factor_of(law, every, &steady), factor_of(law, 1, &steady));
         assert!((few - exact).abs() < 1e-7, "{few} {exact}");
     }
-    for frequency in [0.5, 2.0, 8.0, 20.0] {
+    for (law, frequency) in [&own, &larger].into_iter().flat_map(|law| [0.5, 2.0, 8.0, 20.0].map(|f| (law, f))) {
         let swings = (0..32).map(|phase| {
             move |t: f64| {
                 let slow = (TAU * frequency * t).sin() * (1.0 + 0.3 * t);
@@ -178,7 +183,7 @@ fn smoothed_strains_brought_on_every_few_steps_give_the_same_factors() {
                 THRESHOLD * (0.9 * slow + 0.02 * noise)
             }
         });
-        let pairs: Vec<[f64; 2]> = swings.map(|swing| [factor(1, &swing), factor(every, &swing)]).collect();
+        let pairs: Vec<[f64; 2]> = swings.map(|swing| [1, every].map(|every| factor_of(law, every, &swing))).collect();
         let mean = |k: usize| pairs.iter().map(|pair| pair[k]).sum::<f64>() / pairs.len() as f64;
         let spread = pairs.iter().map(|pair| (pair[0] - mean(0)).abs()).fold(0.0, f64::max);
         let apart = pairs.iter().map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
@@ -187,6 +192,8 @@ fn smoothed_strains_brought_on_every_few_steps_give_the_same_factors() {
             "{frequency} Hz: {:.4}, among phases {spread:.1e}, off {apart:.1e}, mean off {drift:.1e}",
             mean(0)
         );
-        assert!(apart < 2.0 * spread && drift.abs() < 2e-3);
+        let variance = pairs.iter().map(|pair| (pair[0] - mean(0)).powi(2)).sum::<f64>() / pairs.len() as f64;
+        let known = if std::ptr::eq(law, &own) { 3.0 * (2.0 * variance / 32.0).sqrt() } else { 0.0 };
+        assert!(apart < 2.0 * spread && drift.abs() < known.max(2e-3));
     }
 }
