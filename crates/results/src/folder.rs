@@ -517,8 +517,8 @@ mod tests {
     #[test]
     fn every_table_that_a_run_may_write_is_listed() {
         let folder = ResultFolder { root: PathBuf::from("out"), _lock: None };
-        let name = |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let tables = folder.tables().iter().map(name).filter(|name| name.ends_with(".csv"));
+        let name = |path: PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let tables = folder.tables().into_iter().map(name).filter(|name| name.ends_with(".csv"));
         let mut tables: Vec<String> = tables.filter(|name| !name.contains(".columns")).collect();
         let mut listed = TABLES.to_vec();
         tables.sort();
