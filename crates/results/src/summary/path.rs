@@ -329,7 +329,9 @@ mod tests {
             ("damege.a.volume", "no such key", "damage"),
             ("damage.\"a\".cracks.openning", "no such key", "opening"),
             ("damage.\"a\".cracks", "has others below", "opening"),
-            ("damage.a.lining.volum", "no such key", "volume"),
+            // Without quotes all of it may be the name.
+            ("damage.a.lining.volum", "has others below", "volume"),
+            ("damage.\"a.lining\".volum", "no such key", "volume"),
             ("title.more", "no such key", "damage"),
             ("trust.value", "a list", ""),
             ("verdict", "no number", ""),
