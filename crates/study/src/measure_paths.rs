@@ -31,7 +31,7 @@ fn summary(measure: &str, path: &Spanned<String>, case: &Case) -> Option<Diagnos
         let parts = || path.split(['.', '[', ']', '"', '\'']).filter(|part| !part.is_empty());
         let wrong =
             parts().find(|part| !known.contains(part) && nearest(part, known.iter().copied()).is_some());
-        let last = wrong.or_else(|| parts().last()).unwrap_or_default();
+        let last = wrong.or_else(|| parts().next_back()).unwrap_or_default();
         return Some(Diagnostic::at(
             path,
             format!("measure '{measure}': summary.json has no number `{}`: {why}", path.value),

@@ -175,7 +175,9 @@ fn smoothed_strains_brought_on_every_few_steps_give_the_same_factors() {
         let (few, exact) = (factor_of(law, every, &steady), factor_of(law, 1, &steady));
         assert!((few - exact).abs() < 1e-7, "{few} {exact}");
     }
-    for (law, frequency) in [&own, &larger].into_iter().flat_map(|law| [0.5, 2.0, 8.0, 20.0].map(|f| (law, f))) {
+    for (law, frequency) in
+        [&own, &larger].into_iter().flat_map(|law| [0.5, 2.0, 8.0, 20.0].map(|f| (law, f)))
+    {
         let swings = (0..32).map(|phase| {
             move |t: f64| {
                 let slow = (TAU * frequency * t).sin() * (1.0 + 0.3 * t);
@@ -183,7 +185,8 @@ fn smoothed_strains_brought_on_every_few_steps_give_the_same_factors() {
                 THRESHOLD * (0.9 * slow + 0.02 * noise)
             }
         });
-        let pairs: Vec<[f64; 2]> = swings.map(|swing| [1, every].map(|every| factor_of(law, every, &swing))).collect();
+        let pairs: Vec<[f64; 2]> =
+            swings.map(|swing| [1, every].map(|every| factor_of(law, every, &swing))).collect();
         let mean = |k: usize| pairs.iter().map(|pair| pair[k]).sum::<f64>() / pairs.len() as f64;
         let spread = pairs.iter().map(|pair| (pair[0] - mean(0)).abs()).fold(0.0, f64::max);
         let apart = pairs.iter().map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
