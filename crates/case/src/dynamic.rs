@@ -65,6 +65,13 @@ static BASE: Table = Table {
             "Distance R to the scattering source",
         )
         .when(SPRING),
+        Key::default(
+            "side_springs",
+            Kind::Flag,
+            "false",
+            "Springs of the same coefficients at free-field sides too, R from the centre of the caverns to each side: they hold a block that yields",
+        )
+        .when(SPRING),
     ],
     choice: &[],
 };
@@ -217,6 +224,8 @@ pub enum Base {
         tangential: Spanned<f64>,
         /// R, m; nothing: from the centre of the caverns to the base.
         distance: Option<Spanned<f64>>,
+        /// Springs at free-field sides too.
+        side_springs: bool,
     },
     /// Dashpots ρc alone.
     Viscous,
@@ -303,10 +312,12 @@ impl Base {
     fn read(f: &Fields) -> Option<Spanned<Self>> {
         let (normal, tangential, distance) =
             (f.number("normal"), f.number("tangential"), f.number("distance"));
+        let side_springs = f.flag("side_springs");
         let kind = f.word("kind", BaseKind::from_word)?;
         let base = match kind.value {
             BaseKind::ViscousSpring => {
-                Base::ViscousSpring { normal: normal?, tangential: tangential?, distance }
+                let side_springs = side_springs?;
+                Base::ViscousSpring { normal: normal?, tangential: tangential?, distance, side_springs }
             }
             BaseKind::Viscous => Base::Viscous,
             BaseKind::Fixed => Base::Fixed,

@@ -166,7 +166,7 @@ impl Assembly {
             .into_par_iter()
             .map(|p| solid(model, &faces, p))
             .collect::<Result<_, _>>()?;
-        let boundary::Members { members: of_boundaries, base, spring_distance } =
+        let boundary::Members { members: of_boundaries, base, spring_distance, .. } =
             boundary::members(model.surroundings(&model.faces))?;
         members.extend(of_boundaries);
         for (k, load) in model.loading.loads.iter().enumerate() {

@@ -54,12 +54,6 @@ pub struct Surroundings<'a> {
 }
 
 impl Surroundings<'_> {
-    /// Whether an element is there in a stage.
-    fn stands(&self, element: usize, stage: Stage) -> bool {
-        let of = self.elements.parents[element] as usize;
-        self.elements.body_of[of].is_some() && self.elements.lives[element].holds(stage)
-    }
-
     fn engine(&self, node: u32) -> u32 {
         self.engine_node[node as usize]
     }
@@ -99,7 +93,7 @@ impl Surroundings<'_> {
     /// Faces of a sheet on an outer plane that are there in a stage.
     fn of_sheet(&self, sheet: &Sheet, axis: usize, end: usize, stage: Stage) -> Vec<Face> {
         let level = [self.faces.bounds.0, self.faces.bounds.1][end][axis];
-        let elements = sheet.elements().filter(|&e| self.stands(e as usize, stage));
+        let elements = sheet.elements().filter(|&e| self.elements.stands(e as usize, stage));
         faces_on(self.mesh, elements, axis, level, near(self.faces.bounds))
     }
 
@@ -121,7 +115,7 @@ impl Surroundings<'_> {
 
     /// Corners of all sheets that are there in a stage.
     fn corners(&self, stage: Stage) -> impl Iterator<Item = (Face, Corner)> + '_ {
-        let there = move |twin: &(Face, u32)| self.stands(twin.1 as usize, stage);
+        let there = move |twin: &(Face, u32)| self.elements.stands(twin.1 as usize, stage);
         let all = self.outside.sheets().flat_map(|sheet| sheet.twins.iter().copied());
         all.filter(there).flat_map(|twin| corners(self.mesh, twin).map(move |corner| (twin.0, corner)))
     }

@@ -14,6 +14,7 @@ use crate::outer_faces::near;
 use crate::sheet::Sheet;
 use crate::traction::Traction;
 use std::ops::Range;
+use tremolite_laws::shapes::hex8::Hex8;
 use tremolite_mesh::{Element, Face, Mesh, Shape};
 
 /// Side of a reference column's square section \[m\]; its width cancels.
@@ -331,6 +332,17 @@ fn one(
         rings,
         sheet: None,
     }
+}
+
+/// Width over thickness of [`widened`]: waves across it then add 0.4 % to the frequency of those along it.
+const WIDE: f64 = 16.0;
+
+/// An element of a reference column with a section so wide that its highest frequency is that of waves along the column. Nodes of a
+/// level move as one, so the section of the column itself sets no frequency.
+pub fn widened(own: &Hex8) -> Option<Hex8> {
+    let [x0, y0, bottom] = own.corners[0];
+    let factor = WIDE * (own.corners[4][2] - bottom) / WIDTH;
+    Hex8::new(own.corners.map(|[x, y, z]| [x0 + factor * (x - x0), y0 + factor * (y - y0), z])).ok()
 }
 
 /// Among the bodies from `first` on that of the same stuff as another in elements of the same kind, which is added where there is

@@ -14,7 +14,6 @@ use crate::body::Body;
 use crate::bolts::BoltSet;
 use crate::boundary::{Boundaries, Surroundings};
 use crate::error::ModelError;
-use crate::hexahedra::hex;
 use crate::interface::Seam;
 use crate::levels::Levels;
 use crate::life::Stage;
@@ -156,6 +155,7 @@ impl Model {
         let mut boundaries = Boundaries {
             base: problem.base,
             sides: problem.sides,
+            side_springs: problem.side_springs,
             top: problem.top,
             bed: problem.bed,
             prescribed: problem.prescribed,
@@ -175,7 +175,7 @@ impl Model {
         let (outside, slab_bodies) = draft.add_outside(&boundaries, faces.bounds, sides_of, grounds)?;
         draft.finish(user.elements, &boundaries)?;
         let Draft { mesh, bodies, mut elements, tractions, seams, parted, origin } = draft;
-        elements.frequencies = elements::frequencies(&mesh, &bodies);
+        elements.frequencies = elements::frequencies(&mesh, &bodies, &elements.columns);
         water.spread(&mesh, user.nodes, &elements.parents, &origin, outside.sheets());
         let domains = [user.bodies, slab_bodies];
         let whole = (&mesh, &bodies[..], &elements);
@@ -224,7 +224,7 @@ impl Model {
         Arc::new(Model { patches, mesh_node, engine_node, nodes, loading, ..self.clone() })
     }
 
-    /// Whether an element is there in a stage.
+    /// Whether an element stands in a stage: one of the user's, of a slab or of a column.
     pub fn stands(&self, element: usize, stage: Stage) -> bool {
         self.elements.stands(element, stage)
     }
@@ -251,7 +251,7 @@ impl Model {
         }
     }
 
-    /// The elements of a body that are there in the shaking.
+    /// The elements of a body that stand in the shaking, of slabs and columns as well.
     pub fn lasting(&self, body: &Body) -> Vec<u32> {
         body.elements.iter().copied().filter(|&e| self.stands(e as usize, Stage::Shaking)).collect()
     }
@@ -267,7 +267,8 @@ impl Model {
     /// The highest frequency of each of some elements of a body alone in the shaking \[rad/s\], water included.
     pub fn frequencies(&self, body: &Body, elements: &[u32]) -> Vec<f64> {
         let dry = elements.iter().map(|&e| self.elements.frequencies[e as usize]).collect();
-        self.water.frequencies(body, elements, dry, |i| hex(&self.mesh, elements[i] as usize).ok())
+        let shape = |i: usize| elements::vibrating(&self.mesh, &self.elements.columns, elements[i] as usize);
+        self.water.frequencies(body, elements, dry, shape)
     }
 
     /// Where the law of a body's element is evaluated.

@@ -74,6 +74,8 @@ pub struct Problem {
     pub base: Base,
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
+    /// Whether the springs of the base stand at free-field sides as well.
+    pub side_springs: bool,
     pub top: Top,
     /// What holds the sides and the base before the shaking.
     pub bed: Bed,
@@ -117,6 +119,7 @@ impl Problem {
             tractions: Vec::new(),
             base: Base::Free,
             sides: [Side::Free; 2],
+            side_springs: false,
             top: Top::Free,
             bed: Bed::default(),
             prescribed: Vec::new(),

@@ -65,11 +65,13 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         successors: _,
         parents: _,
         thickness: _,
+        columns: _,
         frequencies: _,
     } = elements;
     let Boundaries {
         base,
         sides,
+        side_springs,
         top,
         bed,
         prescribed,
@@ -124,7 +126,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         space.shown(&(body.material.info().name, body.material.values(), body.material.band()));
         space.indices(&body.elements);
     }
-    space.shown(&(base, sides, held, ties));
+    space.shown(&(base, sides, side_springs, held, ties));
     for (seam, contacts) in seams.iter().zip(&assembly.contacts) {
         space.shown(&(&seam.name, contacts.law.info().name, contacts.law.values(), contacts.frequency));
         for pair in &seam.pairs {

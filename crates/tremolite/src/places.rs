@@ -76,6 +76,8 @@ pub fn part(name: &str) -> Said {
     match name {
         "springs of the base" => said!("springs of the base"),
         "base of the free field" => said!("base of the free field"),
+        "springs of the sides" => said!("springs of the sides"),
+        "sides of the free field" => said!("sides of the free field"),
         // A group of bolts, a body, a part of another program's.
         name => said!("{name}", name = name),
     }

@@ -85,6 +85,8 @@ pub struct Boundaries {
     pub base: Base,
     /// Sides normal to x and to y.
     pub sides: [Side; 2],
+    /// Whether the springs of the base stand at free-field sides as well; ground beside the model leads them.
+    pub side_springs: bool,
     pub top: Top,
     /// What holds the sides and the base before the shaking.
     pub bed: Bed,
@@ -113,6 +115,15 @@ impl Boundaries {
         }
         if self.free_field.is_some() && matches!(self.base, Base::Free | Base::Fixed) {
             let reason = "a free field is given, and the base is free or fixed; let it absorb, so that the field comes in";
+            return Err(ModelError::FreeField(reason.into()));
+        }
+        if self.side_springs && (!self.base.has_springs() || self.free_sides() == [false; 2]) {
+            let reason =
+                "springs of the sides need a base with springs and a free-field side; take side_springs out";
+            return Err(ModelError::FreeField(reason.into()));
+        }
+        if self.side_springs && self.free_field.is_some() {
+            let reason = "springs of the sides act on ground beside the model, and a free field is given; take side_springs out";
             return Err(ModelError::FreeField(reason.into()));
         }
         Ok(())

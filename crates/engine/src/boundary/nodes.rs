@@ -11,6 +11,7 @@ use crate::free_field::Place;
 use crate::hexahedra::centroid;
 use crate::life::{Life, Stage};
 use crate::member::{Kind, Member};
+use crate::sheet::corners;
 use std::collections::BTreeMap;
 use tremolite_kernels::Line;
 use tremolite_mesh::Face;
@@ -21,6 +22,8 @@ pub struct Members {
     pub members: Vec<Member>,
     /// Nodes of the base, those of slabs and columns included, without their places; empty for a base without dashpots.
     pub base: Vec<BaseNode>,
+    /// Springs at free-field sides, by the axis that a side lies across.
+    pub sides: [Vec<BaseNode>; 2],
     /// Distance R used for the springs of the base \[m\].
     pub spring_distance: Option<f64>,
 }
@@ -40,8 +43,13 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
         BaseNode { place, ..base.clone() }
     };
     let (counted, outside): (Vec<_>, Vec<_>) = out.base.iter_mut().map(whole).partition(|node| node.counted);
-    let all: [(_, Vec<BaseNode>, _); 2] =
-        [("springs of the base", counted, true), ("base of the free field", outside, false)];
+    let mut all: Vec<(_, Vec<BaseNode>, _)> =
+        vec![("springs of the base", counted, true), ("base of the free field", outside, false)];
+    for side in std::mem::take(&mut out.sides) {
+        let (counted, outside) = side.into_iter().partition(|node| node.counted);
+        all.push(("springs of the sides", counted, true));
+        all.push(("sides of the free field", outside, false));
+    }
     let free_field = around.asked.waves();
     for (name, nodes, counted) in all {
         let level = |base: &BaseNode| around.level[base.node as usize];
@@ -50,10 +58,16 @@ pub fn members(around: Surroundings) -> Result<Members, ModelError> {
             None => pieces(nodes, PIECE, level),
         };
         for nodes in pieces {
+            // Of the base levels of steps know by its own list.
+            let stiff = |node: &BaseNode| (node.node, 0.5 * node.spring[..3].iter().sum::<f64>());
+            let springs = match name.contains("base") {
+                true => Vec::new(),
+                false => nodes.iter().map(stiff).collect(),
+            };
             let part = Box::new(BasePart::new(nodes, free_field.clone()));
             let line = Some(Line::Springs);
             let member = Member::of(Kind::Boundary, name, part);
-            out.members.push(Member { life: Life::SHAKING, line, counted, ..member });
+            out.members.push(Member { life: Life::SHAKING, line, counted, springs, ..member });
         }
     }
     Ok(out)
@@ -105,17 +119,18 @@ fn base_nodes(around: Surroundings) -> Result<Members, ModelError> {
         Base::Free | Base::Fixed => return Ok(out),
         Base::Viscous => None,
         Base::ViscousSpring { normal, tangential, distance } => {
-            let distance = distance.unwrap_or_else(|| scatter_distance(around));
+            let centre = scatter_centre(around);
+            let distance = distance.unwrap_or_else(|| distance_to(around, centre, 2, 0));
             out.spring_distance = Some(distance);
+            if around.asked.side_springs {
+                out.sides = side_springs(around, centre, [normal, tangential]);
+            }
             Some((normal, tangential, distance))
         }
     };
-    let spring_of = |face: Face| match (springs, around.body(face)) {
-        (Some((normal, tangential, distance)), Some(body)) => {
-            let g = body.material.moduli().mu;
-            (normal * g / distance, tangential * g / distance)
-        }
-        _ => (0.0, 0.0),
+    let spring_of = |face: Face| match springs {
+        Some((normal, tangential, distance)) => spring(around, face, [normal, tangential], distance),
+        None => (0.0, 0.0),
     };
     let dashpots = |faces: &[Face]| nodal_matrices(mesh, faces, |face| around.impedance(face));
     let springs = |faces: &[Face]| nodal_matrices(mesh, faces, spring_of);
@@ -194,13 +209,56 @@ fn given(around: Surroundings, nodes: &mut Vec<BaseNode>) {
     }
 }
 
-/// From the centre of the excavated elements (of all, if none is) down to the base \[m\].
-fn scatter_distance(around: Surroundings) -> f64 {
+/// Spring coefficients α G/R \[Pa/m\] behind a face, along its normal and across.
+fn spring(around: Surroundings, face: Face, [normal, tangential]: [f64; 2], distance: f64) -> (f64, f64) {
+    let g = around.body(face).map_or(0.0, |body| body.material.moduli().mu);
+    (normal * g / distance, tangential * g / distance)
+}
+
+/// Springs between the nodes of free-field sides and those of the slabs outside, and between slabs and columns at their ends, by the
+/// axis that the side lies across. They act on u − u_ff, as those of the base do: without them nothing but the base resists
+/// a permanent displacement of the block against the ground around it.
+fn side_springs(around: Surroundings, centre: [f64; 3], factors: [f64; 2]) -> [Vec<BaseNode>; 2] {
+    let mut sides: [BTreeMap<u32, BaseNode>; 2] = Default::default();
+    let slabs = around.outside.slabs.iter().map(|slab| (&slab.sheet, true));
+    let columns = around.outside.columns.iter().filter_map(|column| Some((column.sheet.as_ref()?, false)));
+    for (sheet, counted) in slabs.chain(columns) {
+        let distance = distance_to(around, centre, sheet.axis, sheet.end);
+        let twins = sheet.twins.iter().filter(|twin| around.elements.stands(twin.1 as usize, Stage::Shaking));
+        for &twin in twins {
+            let stiff = |face: Face| spring(around, face, factors, distance);
+            let matrices = nodal_matrices(around.mesh, &[twin.0], stiff);
+            for corner in corners(around.mesh, twin) {
+                let Some(matrix) = matrices.get(&corner.source) else { continue };
+                let (node, leader) = (around.engine(corner.source), around.engine(corner.front));
+                let place =
+                    || Place { at: around.mesh.nodes[corner.source as usize], ..below(vec![(leader, 1.0)]) };
+                let own = || BaseNode { counted, place: place(), ..alone(node, [0.0; 6]) };
+                add(&mut sides[sheet.axis].entry(node).or_insert_with(own).spring, matrix);
+            }
+        }
+    }
+    sides.map(|side| side.into_values().collect())
+}
+
+/// From a place to an outer plane of the model \[m\].
+fn distance_to(around: Surroundings, from: [f64; 3], axis: usize, end: usize) -> f64 {
+    let (low, high) = around.faces.bounds;
+    (from[axis] - [low, high][end][axis]).abs().max(1.0)
+}
+
+/// The centre of the excavated elements, or of all if none is.
+fn scatter_centre(around: Surroundings) -> [f64; 3] {
     let mut own = vec![true; around.user_elements];
     around.elements.stand_ins.iter().for_each(|(stand_in, _)| own[*stand_in as usize] = false);
     let all: Vec<usize> = (0..around.user_elements).filter(|&e| own[e]).collect();
-    let void: Vec<usize> = all.iter().copied().filter(|&e| !around.stands(e, Stage::Shaking)).collect();
+    let stands = |e: usize| around.elements.stands(e, Stage::Shaking);
+    let void: Vec<usize> = all.iter().copied().filter(|&e| !stands(e)).collect();
     let chosen = if void.is_empty() { &all } else { &void };
-    let sum: f64 = chosen.iter().map(|&e| centroid(around.mesh, e as u32)[2]).sum();
-    (sum / chosen.len() as f64 - around.faces.bounds.0[2]).max(1.0)
+    let mut sum = [0.0; 3];
+    for &e in chosen {
+        let at = centroid(around.mesh, e as u32);
+        (0..3).for_each(|i| sum[i] += at[i]);
+    }
+    sum.map(|sum| sum / chosen.len() as f64)
 }

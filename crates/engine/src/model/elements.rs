@@ -1,11 +1,13 @@
 //! What a model knows of each of its elements, beside their nodes.
 
 use crate::body::Body;
+use crate::column;
 use crate::hexahedra::hex;
 use crate::life::{Life, Stage};
 use rayon::prelude::*;
 use std::collections::HashMap;
-use tremolite_laws::shapes::hex8::element_frequencies;
+use std::ops::Range;
+use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
 use tremolite_mesh::Mesh;
 
 /// Lists by element of the mesh; those of slabs and columns lie behind the user's.
@@ -28,6 +30,8 @@ pub struct Elements {
     pub viscosity: Vec<f64>,
     /// Of each element, the natural axis through its thickness where its body is layered, else 2.
     pub thickness: Vec<u8>,
+    /// Elements of reference columns, behind all others.
+    pub columns: Range<usize>,
     /// The highest frequency of each element alone \[rad/s\], with its undamaged stiffness and without water; 0 of void ones.
     pub frequencies: Vec<f64>,
 }
@@ -38,19 +42,26 @@ impl Elements {
         (0..self.body_of.len()).filter(|&e| self.stands(e, Stage::Shaking)).map(|e| e as u32).collect()
     }
 
-    /// Whether an element of the user's is there in a stage.
-    pub(super) fn stands(&self, element: usize, stage: Stage) -> bool {
-        self.body_of.get(element).is_some_and(Option::is_some) && self.lives[element].holds(stage)
+    /// Whether an element stands in a stage. An element of a free-field slab or column needs a body of its parent.
+    pub fn stands(&self, element: usize, stage: Stage) -> bool {
+        let parent = self.parents.get(element).map_or(element, |&parent| parent as usize);
+        self.body_of[parent].is_some() && self.lives[element].holds(stage)
     }
 }
 
-/// [`Elements::frequencies`] of a mesh and its bodies.
-pub(super) fn frequencies(mesh: &Mesh, bodies: &[Body]) -> Vec<f64> {
+/// The shape by which an element's highest frequency is found: its own, or that of a layer of a reference column.
+pub(super) fn vibrating(mesh: &Mesh, columns: &Range<usize>, element: usize) -> Option<Hex8> {
+    let own = hex(mesh, element).ok()?;
+    if columns.contains(&element) { column::widened(&own) } else { Some(own) }
+}
+
+/// [`Elements::frequencies`] of a mesh, its bodies and its elements of reference columns.
+pub(super) fn frequencies(mesh: &Mesh, bodies: &[Body], columns: &Range<usize>) -> Vec<f64> {
     const AT_ONCE: usize = 1024;
     let mut all = vec![0.0; mesh.elements.len()];
     for body in bodies {
         let of = |elements: &[u32]| {
-            let usable = elements.iter().filter_map(|&e| Some((e, hex(mesh, e as usize).ok()?)));
+            let usable = elements.iter().filter_map(|&e| Some((e, vibrating(mesh, columns, e as usize)?)));
             let (elements, shapes): (Vec<u32>, Vec<_>) = usable.unzip();
             let omegas =
                 element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);

@@ -43,7 +43,9 @@ fn springs_hold_nothing_that_moves_as_the_columns_do() {
         [Side::Viscous; 2],
     ];
     for sides in every {
-        let ready = Ready::new(quarters(sides));
+        let mut problem = quarters(sides);
+        problem.side_springs = sides.contains(&Side::FreeField);
+        let ready = Ready::new(problem);
         let (low, high) = ready.model.faces.bounds;
         let own = ready.model.user.nodes as u32;
         let columns = &ready.model.outside.columns;
@@ -87,6 +89,39 @@ fn springs_hold_nothing_that_moves_as_the_columns_do() {
             assert!(alone > 1e6 && held < 1e-13 * alone, "{sides:?}, {counted}: {held:e} of {alone:e}");
         }
     }
+}
+
+/// Where the model alone moves by a unit, sides across x hold it along x with Σ A α_N G/R and sides across y with Σ A α_T G/R, R the distance
+/// from the centre of the model to each.
+#[test]
+fn springs_of_free_field_sides_have_the_stiffness_of_their_faces() {
+    let mesh = BoxSpec::uniform([0.0; 3], [8.0, 6.0, 4.0], [4, 3, 2]).mesh().unwrap();
+    let elements = (0..mesh.elements.len() as u32).collect();
+    let body = body("rock", elements);
+    let shear = body.material.moduli().mu;
+    let mut problem = Problem::new(mesh, vec![body]);
+    problem.base = Base::ViscousSpring { normal: 1.33, tangential: 0.67, distance: Some(20.0) };
+    problem.sides = [Side::FreeField; 2];
+    let along_x = |side_springs: bool| {
+        let mut problem = problem.clone();
+        problem.side_springs = side_springs;
+        let ready = Ready::new(problem);
+        let unit = |n: u32| ready.model.nodes.domain[n as usize] == tremolite_engine::Domain::Model;
+        let u: Vec<Row> = (0..ready.model.mesh_node.len() as u32)
+            .map(|n| Row::new([f64::from(u8::from(unit(n))), 0.0, 0.0]))
+            .collect();
+        let springs = ready.assembly.members.iter().filter(|m| m.kind == Kind::Boundary && m.counted);
+        let forces = springs.map(|m| {
+            let mut out = vec![Row::ZERO; m.part.nodes().len()];
+            m.part.stiffness_times(&u, &mut out, &mut Scratch::default());
+            out.iter().map(|row| row.0[0]).sum::<f64>()
+        });
+        forces.sum::<f64>() / shear
+    };
+    let base = 48.0 * 0.67 / 20.0;
+    assert!((along_x(false) - base).abs() < 1e-12 * base);
+    let whole = base + 2.0 * 24.0 * 1.33 / 4.0 + 2.0 * 32.0 * 0.67 / 3.0;
+    assert!((along_x(true) - whole).abs() < 1e-12 * whole, "{} {whole}", along_x(true));
 }
 
 fn is_column(ready: &Ready, node: u32) -> bool {

@@ -19,6 +19,16 @@ pub const TEXTS: Texts = &[
         "largest change that the stages cause beside {side}, over the mean stress along the openings before: a boundary that cannot move holds the ground back, and stresses around the opening are wrong by half of this and more; {distance} m from an opening of {extent} m it is {estimate} % by 1.5 (R/(R + d))²",
         "各施工阶段在 {side} 旁引起的最大应力变化与开挖前洞室周边平均应力之比：该处不能变形，应力被反射回来，洞室周边应力的误差为其一半以上；距 {extent} m 的洞室 {distance} m 时按 1.5 (R/(R + d))² 为 {estimate} %",
     ),
+    (
+        "change of residual displacement in the last second over the residual",
+        "残余位移在最后一秒内的变化与残余位移之比",
+    ),
+    ("no monitor has a residual displacement", "没有测点具有残余位移"),
+    (
+        "{history}: {residual} m at the end, and it still grows: give a longer `dynamic.duration`; with `base = \"viscous-spring\"` \
+         compare base = \"viscous\" or wider `sides` as well",
+        "{history}：结束时为 {residual} m，且仍在变化：请增大 `dynamic.duration`；若 `base = \"viscous-spring\"`，另请以 base = \"viscous\" 或更宽的 `sides` 作比较",
+    ),
     ("share of the motion after the end of the run", "计算结束之后尚未输入的运动所占比例"),
     (
         "of ∫a² dt, behind {end} s of {whole} s: the run ends before this motion comes, and the largest values may come with it",

@@ -34,6 +34,11 @@ pub const TEXTS: Texts = &[
     ("The run was stopped at {time} s: {why}.", "计算在 {time} s 停止：{why}。"),
     ("Rows, fields and checkpoints before it are valid.", "此前的时程数据、场结果与检查点均有效。"),
     (
+        "{place} has moved by {far} m, further than the model is long, {most} m; it is ground outside the model's sides, so its steps are unstable: run with dynamic.levels = 1",
+        "{place}已移动 {far} m，超过模型的最大尺寸 {most} m；该处为模型侧边以外的地层，因此其时间步失稳：请以 dynamic.levels = 1 运行",
+    ),
+    ("node {number}", "节点 {number}"),
+    (
         "{place} has moved by {far} m, further than the model is long, {most} m: it is loose, or the record carries the model off (correct its baseline)",
         "{place}已移动 {far} m，超过模型的最大尺寸 {most} m：该处已脱离约束，或地震记录使模型整体漂移（请校正基线）",
     ),
@@ -90,6 +95,8 @@ pub const TEXTS: Texts = &[
     ("interface '{name}'", "接触面“{name}”"),
     ("springs of the base", "底部弹簧"),
     ("base of the free field", "自由场底部"),
+    ("springs of the sides", "侧边弹簧"),
+    ("sides of the free field", "自由场侧边"),
     ("{name}", "{name}"),
     ("{part} at node {node} at {place}", "节点 {node}（{part}），位于 {place}"),
     ("Rayleigh damping, mostly its stiffness-proportional part", "瑞利阻尼，主要是刚度比例部分"),

@@ -186,6 +186,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
         (None, Some((motion, _))) => sides::check_motion(case, motion, &mut problems),
         (None, None) => {}
     }
+    sides::check_springs(case, oblique.is_some(), &mut problems);
     interfaces::tie(case, &mut mesh, &mut problems);
     let reference = reference(case, motion.as_ref());
     if let (Some(band), None, Some(_)) = (&case.dynamic.band, reference, &motion) {
@@ -309,6 +310,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     problem.bolts.extend(bars);
     reinforcement::tell_apart(&mut problem.bolts);
     problem.base = base;
+    problem.side_springs = sides::has_springs(case);
     problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
     problem.top = sides::top(dynamic.top.value);
     let (incident, recorded) = entering.map(|entering| (entering.incident, entering.recorded)).unzip();
@@ -411,7 +413,7 @@ fn fields(case: &Case, problems: &mut Vec<case::Diagnostic>) -> Vec<Field> {
 fn base(case: &Case, problems: &mut Vec<case::Diagnostic>) -> Base {
     let base = &case.dynamic.base;
     match &base.value {
-        case::Base::ViscousSpring { normal, tangential, distance } => Base::ViscousSpring {
+        case::Base::ViscousSpring { normal, tangential, distance, .. } => Base::ViscousSpring {
             normal: normal.value,
             tangential: tangential.value,
             distance: distance.as_ref().map(|d| d.value),

@@ -23,6 +23,27 @@ pub fn side(side: case::Side) -> Side {
     }
 }
 
+/// Whether springs stand at free-field sides.
+pub fn has_springs(case: &Case) -> bool {
+    matches!(case.dynamic.base.value, case::Base::ViscousSpring { side_springs: true, .. })
+}
+
+/// Refuses springs of sides where no ground beside the model leads them.
+pub fn check_springs(case: &Case, at_angles: bool, problems: &mut Vec<Diagnostic>) {
+    let free_field = case.dynamic.sides.iter().any(|side| side.value == case::Side::FreeField);
+    if !has_springs(case) || (free_field && !at_angles) {
+        return;
+    }
+    let (what, remedy) = match at_angles {
+        true => {
+            ("no ground stands beside the model, where waves at angles come in", "take `side_springs` out")
+        }
+        false => ("no side is free field", "take `side_springs` out, or write sides = \"free-field\""),
+    };
+    let what = format!("`side_springs` act against the ground outside free-field sides, but {what}");
+    problems.push(Diagnostic::at(&case.dynamic.base, what, remedy));
+}
+
 pub fn top(top: case::Top) -> Top {
     match top {
         case::Top::Free => Top::Free,

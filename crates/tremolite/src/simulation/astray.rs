@@ -62,23 +62,38 @@ impl Limits {
         own_blocks(model, ranks).any(|mut nodes| nodes.any(|n| far(n) && phase.mass[n] > 0.0))
     }
 
-    /// The element with the node that has moved furthest, of a state that is whole.
+    /// The node that has moved furthest, of a state that is whole, by the first element that has it; by its own number where none does.
     fn furthest(&self, model: &Model, phase: &Phase, state: &State) -> Said {
-        let mut furthest = (0.0, 0);
-        for (element, _) in (0..).zip(&phase.element_slot).filter(|(_, slot)| slot.is_some()) {
-            for &corner in model.mesh.elements[element as usize].nodes() {
-                let far = moved(state, model.engine_node[corner as usize] as usize);
-                if far > furthest.0 {
-                    furthest = (far, element);
-                }
-            }
+        let far = |n: usize| if phase.mass[n] > 0.0 { moved(state, n) } else { 0.0 };
+        let (by, node) =
+            (0..state.u.len()).map(|n| (far(n), n)).fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
+        let has = |&e: &usize| {
+            let corners = model.mesh.elements[e].nodes().iter();
+            model.stands(e, phase.stage)
+                && corners.map(|&c| model.engine_node[c as usize] as usize).any(|n| n == node)
+        };
+        let (by, most) = (format!("{by:.3e}"), format!("{most:.3e}", most = self.length));
+        let element = (0..model.mesh.elements.len()).find(has);
+        let place = match element {
+            Some(element) => places::element_at(model, element as u32),
+            None => said!(
+                "node {number}",
+                number = model.mesh.node_id(model.mesh_node[node] as usize).to_string()
+            ),
+        };
+        if element.is_some_and(|element| element >= model.user.elements) {
+            return said!(
+                "{place} has moved by {far} m, further than the model is long, {most} m; it is ground outside the model's sides, so its steps are unstable: run with dynamic.levels = 1",
+                place = place,
+                far = by,
+                most = most,
+            );
         }
-        let (far, element) = furthest;
         said!(
             "{place} has moved by {far} m, further than the model is long, {most} m: it is loose, or the record carries the model off (correct its baseline)",
-            place = places::element_at(model, element),
-            far = format!("{far:.3e}"),
-            most = format!("{most:.3e}", most = self.length),
+            place = place,
+            far = by,
+            most = most,
         )
     }
 }

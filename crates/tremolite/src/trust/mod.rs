@@ -4,6 +4,7 @@
 mod before;
 mod bolts;
 mod corners;
+mod creep;
 mod cut_short;
 mod energy;
 mod fibres;
@@ -37,7 +38,8 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     lines.push(near_sides::line(evidence));
     if evidence.outcome.shaken {
         lines.extend([waves::per_wavelength(evidence), waves::drift(evidence)]);
-        lines.extend([cut_short::line(evidence), mass_damping::line(evidence), rows::line(evidence)]);
+        lines.extend([cut_short::line(evidence), creep::line(evidence)]);
+        lines.extend([mass_damping::line(evidence), rows::line(evidence)]);
         lines.extend(waves::free_field(evidence));
         lines.extend(waves::record(evidence));
         lines.extend(energy::lines(evidence));

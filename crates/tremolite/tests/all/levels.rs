@@ -5,10 +5,11 @@ use crate::contact::{BANDIS, between, jointed};
 use crate::ready::Ready;
 use tremolite::engine::{Engine, prove};
 use tremolite::{
-    Base, Body, Line, Problem, Quadrature, Rayleigh, Side, Snapshot, State, elastic, finer_levels,
+    Base, Body, Line, Problem, Quadrature, Rayleigh, Side, Snapshot, Stage, State, elastic, find_levels,
+    finer_levels,
 };
 use tremolite_laws::{Isa, Moduli, Row};
-use tremolite_mesh::boxes::BoxSpec;
+use tremolite_mesh::boxes::{Axis, BoxSpec};
 
 /// Coarser upwards: all four levels in a block of 14 m.
 fn upwards([_, _, z]: [f64; 3]) -> u8 {
@@ -498,4 +499,75 @@ fn no_border_lies_along_a_thin_body() {
     assert_eq!(apart(3, Quadrature::Full), [false, true]);
     assert_eq!(apart(4, Quadrature::Full), [true, true]);
     assert_eq!(apart(2, Quadrature::OnePoint), [true, true]);
+}
+
+/// Level ground whose layers become thinner towards the surface, from 5 m to 0.1 m, with these sides along x and y.
+fn thin_at_the_surface(sides: [Side; 2]) -> Problem {
+    let mut mesh = BoxSpec::uniform([0.0, 0.0, -40.0], [40.0, 10.0, 0.0], [8, 2, 14]);
+    mesh.z = Axis::Graded { from: -40.0, to: 0.0, elements: 14, ratio: 0.7 };
+    let mesh = mesh.mesh().unwrap();
+    let mut problem = shaken(sides[0]);
+    problem.bodies.truncate(1);
+    problem.bodies[0].elements = (0..mesh.elements.len() as u32).collect();
+    problem.mesh = mesh;
+    problem.sides = sides;
+    problem
+}
+
+const BESIDE: [[Side; 2]; 4] = [
+    [Side::FreeField, Side::Periodic],
+    [Side::Periodic, Side::Periodic],
+    [Side::FreeField, Side::FreeField],
+    [Side::Viscous, Side::Roller],
+];
+
+/// With the levels that a run would have.
+fn found(problem: Problem) -> (Ready, f64) {
+    let one = Ready::new(problem);
+    let dt = 0.8 * one.stable();
+    let levels = find_levels(&one.model, &one.assembly, &one.phase, dt, 4).unwrap();
+    let model = one.model.at_levels(&levels);
+    let assembly = one.assembly.again(&model).unwrap();
+    let phase = tremolite::Phase::of(&model, &assembly, Stage::Shaking).unwrap();
+    (Ready { model, assembly, phase }, dt)
+}
+
+#[test]
+fn elements_outside_the_model_step_within_their_own_bound() {
+    for sides in BESIDE {
+        let (ready, dt) = found(thin_at_the_surface(sides));
+        let (model, mut outside, mut coarsest) = (&ready.model, 0, 0);
+        for (e, element) in model.mesh.elements.iter().enumerate() {
+            assert!(model.stands(e, Stage::Shaking), "{sides:?}: element {e}");
+            let level = element.nodes().iter().map(|&n| model.engine_node[n as usize] as usize);
+            let finest = level.map(|n| model.nodes.level[n]).min().unwrap();
+            let share = f64::from(1 << finest) * dt * model.elements.frequencies[e] / 2.0;
+            // On the finest level the stable step of the whole rules, which is no shorter than any element's own.
+            let most = if finest == 0 { 1.0 } else { 0.8 };
+            assert!(share < most + 1e-9, "{sides:?}: element {e} steps {share:.2} of its bound");
+            outside += usize::from(e >= model.user.elements);
+            coarsest = coarsest.max(finest);
+        }
+        assert!(outside > 0 && coarsest == 3, "{sides:?}: {outside} elements outside, levels to {coarsest}");
+    }
+}
+
+#[test]
+fn ground_outside_the_model_moves_under_several_levels_as_under_one() {
+    for sides in BESIDE {
+        let end = 0.25;
+        let moved = |ready: &Ready, dt: f64| {
+            let span = ready.phase.span() as f64;
+            let mut state = ready.assembly.rest();
+            state.dt = end / (end / (dt * span)).ceil() / span;
+            let (state, _) = run(&mut ready.engine(), state, end);
+            let outside = ready.model.user.nodes..ready.model.mesh.nodes.len();
+            outside.map(|n| state.u[ready.model.engine_node[n] as usize]).collect::<Vec<Row>>()
+        };
+        let (many, dt) = found(thin_at_the_surface(sides));
+        let one = moved(&Ready::new(thin_at_the_surface(sides)), dt);
+        let error = apart(&moved(&many, dt), &one) / apart(&one, &vec![Row::ZERO; one.len()]);
+        println!("{sides:?}: ground outside is {error:.1e} apart");
+        assert!(error < 1e-2, "{sides:?}: {error:e}");
+    }
 }

@@ -114,8 +114,10 @@ impl Draft {
 
     /// Adds reference columns of the ground along the model's vertical edges.
     fn add_columns(&mut self, outside: &mut Outside, grounds: [Ground; 4], bounds: Bounds) {
+        let first = self.mesh.elements.len();
         let Reference { columns, like } = column::build(&mut self.mesh, &mut self.bodies, grounds, bounds);
         let elements = &mut self.elements;
+        elements.columns = first..self.mesh.elements.len();
         elements.lives.resize(self.mesh.elements.len(), Life::ALWAYS);
         column::press(&self.mesh, &mut self.tractions, &columns, bounds.1[2], &like);
         if !elements.initial.is_empty() {

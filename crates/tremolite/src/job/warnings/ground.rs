@@ -36,9 +36,13 @@ pub fn of_ground(case: &Case, outlook: &Outlook) -> Vec<Diagnostic> {
         all.push(Diagnostic::new(
             given.span(),
             format!(
-                "the rock round the opening at {} would have to carry {} (3σ1 − σ3), {:.1} times its compressive strength of {}: it will yield",
+                "the rock round the opening at {} would have to carry {} ({}), {:.1} times its compressive strength of {}: it will yield",
                 place(wall.at),
                 pressure(-wall.load),
+                match wall.extents {
+                    Some([width, height]) => format!("elastic, an ellipse of {width:.0} m × {height:.0} m"),
+                    None => "elastic, a circle: 3σ1 − σ3".to_owned(),
+                },
                 wall.load / wall.strength,
                 pressure(-wall.strength)
             ),

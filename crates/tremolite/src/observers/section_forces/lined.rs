@@ -7,8 +7,8 @@ use tremolite_engine::{Model, Stage};
 
 /// The stations of whole groups that damage, or that begin with a stage, each with the name of its group.
 pub(in crate::observers) fn lined(model: &Model) -> Vec<(String, Station)> {
-    let standing: Vec<bool> =
-        (0..model.mesh.elements.len()).map(|e| model.stands(e, Stage::Shaking)).collect();
+    let mut standing = vec![false; model.mesh.elements.len()];
+    model.standing(Stage::Shaking).iter().for_each(|&e| standing[e as usize] = true);
     let mut all = Vec::new();
     for group in all_groups(model) {
         let later = group.elements.iter().any(|&e| model.elements.lives[e as usize].is_later());
