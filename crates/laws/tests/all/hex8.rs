@@ -7,20 +7,32 @@ use tremolite_laws::shapes::hex8::{
 };
 use tremolite_laws::{Isa, Moduli, Octet, Point, Row};
 
-type Forces = [[f64; 3]; 8];
+pub(crate) type Forces = [[f64; 3]; 8];
 
 /// Layered elements have their thickness along ζ here, as kernels do.
-type Kind = Quadrature;
+pub(crate) type Kind = Quadrature;
 const LAYERED: Kind = Kind::Layered(Layers::Nine);
-const KINDS: [Kind; 3] = [Kind::OnePoint, Kind::Full, LAYERED];
+pub(crate) const KINDS: [Kind; 3] = [Kind::OnePoint, Kind::Full, LAYERED];
 
-fn points(kind: Kind) -> Points {
+pub(crate) fn points(kind: Kind) -> Points {
     Points { quadrature: kind, axis: 2 }
 }
 
 /// Forces of one element by the scalar reference, with its strain and hourglass energy and the mean stress.
 fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8]) -> (Forces, f64, [f64; 6]) {
     let hex = Hex8::new(corners).unwrap();
+    let (forces, probe) = pass(kind, moduli, &hex, u);
+    let mut mean = [0.0; 6];
+    for (stress, weight) in probe.stress.iter().zip(points(kind).weights(&hex)) {
+        for c in 0..6 {
+            mean[c] += weight / hex.volume * stress[c].0[0];
+        }
+    }
+    (forces, probe.strain_energy.0[0] + probe.hourglass_energy.0[0], mean)
+}
+
+/// Forces of one element by the scalar reference, with what the probe finds, in lane 0.
+pub(crate) fn pass(kind: Kind, moduli: Moduli, hex: &Hex8, u: [[f64; 3]; 8]) -> (Forces, Probe) {
     let law = Elastic::from_moduli(moduli);
     let stabilisation = Stabilisation::new(moduli);
     let index: [[u16; 8]; 8] = core::array::from_fn(|k| [k as u16; 8]);
@@ -32,7 +44,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
     match kind {
         Kind::OnePoint => {
             let mut geometry = OnePointGeometry::EMPTY;
-            geometry.set(0, &hex);
+            geometry.set(0, hex);
             unsafe {
                 one_point::<f64, _, _, true>(
                     &law,
@@ -53,7 +65,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
         }
         Kind::Full => {
             let mut geometry = FullGeometry::EMPTY;
-            geometry.set(0, &hex, &stabilisation);
+            geometry.set(0, hex, &stabilisation);
             unsafe {
                 full::<f64, _, _, true>(
                     &law,
@@ -75,7 +87,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
         Kind::Layered(layers) => {
             let through = Through::of(layers);
             let mut geometry = LayeredGeometry::EMPTY;
-            geometry.set(0, &hex, &stabilisation, through);
+            geometry.set(0, hex, &stabilisation, through);
             unsafe {
                 layered::<f64, _, _, true>(
                     through,
@@ -95,13 +107,7 @@ fn element(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8], u: [[f64; 3]; 8])
             }
         }
     }
-    let mut mean = [0.0; 6];
-    for (stress, weight) in probe.stress.iter().zip(points(kind).weights(&hex)) {
-        for c in 0..6 {
-            mean[c] += weight / hex.volume * stress[c].0[0];
-        }
-    }
-    (out.map(|r| r.xyz()), probe.strain_energy.0[0] + probe.hourglass_energy.0[0], mean)
+    (out.map(|r| r.xyz()), probe)
 }
 
 /// A brick of the given sides with every corner moved by up to `shift`.
@@ -240,7 +246,7 @@ fn stiffness(kind: Kind, moduli: Moduli, corners: [[f64; 3]; 8]) -> Vec<Vec<f64>
 }
 
 /// Eigenvalues of a symmetric matrix by Jacobi's rotations, ascending.
-fn eigenvalues(mut a: Vec<Vec<f64>>) -> Vec<f64> {
+pub(crate) fn eigenvalues(mut a: Vec<Vec<f64>>) -> Vec<f64> {
     let n = a.len();
     for _ in 0..30 {
         for p in 0..n {

@@ -29,3 +29,4 @@ mod rock_reference;
 mod rock_strength;
 mod scaled;
 mod size;
+mod wedge;

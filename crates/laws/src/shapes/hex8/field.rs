@@ -2,6 +2,7 @@
 //! coefficients, and back from their resultants to modal forces.
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
+use super::wedge::WedgeField;
 use super::{Given, Hex8, Stabilisation, Surface, to_modes, to_nodes};
 use crate::lane::{Lane, Octet};
 use crate::material::Sym;
@@ -14,11 +15,12 @@ pub struct Field {
     pub gradient: [[Octet; 7]; 3],
     pub hourglass: [[Octet; 3]; 4],
     axes: [[Octet; 3]; 3],
-    /// ℓ_b/ℓ_c of the surface across each natural axis, and its inverse.
+    /// ℓ_b/ℓ_c of the surface across each natural axis, and its inverse; zero of the surfaces across ξ and η of a wedge.
     aspects: [[Octet; 2]; 3],
-    /// Strain (global axes, engineering shear) for unit s_bc, s_cb and γ of each surface, contraction included.
+    /// Strain (global axes, engineering shear) for unit s_bc, s_cb and γ of each surface, contraction included. Of the surfaces across ξ
+    /// and η of a wedge: [`WedgeField`]'s stretch and turn, and its shears in the places of s_bc across ξ and of s_cb across η.
     surfaces: [[[Octet; 6]; 3]; 3],
-    /// Strain for unit s_k4, contraction included.
+    /// Strain for unit s_k4, contraction included; of a wedge that of its sides.
     fibres: [[Octet; 6]; 3],
     /// Means of ξ, η, ζ, ηζ, ξζ, ξη, weighted as the points are: removed so that a constant stress does no work on the
     /// hourglass part.
@@ -74,7 +76,7 @@ pub trait FieldShape: Copy + Send + Sync + 'static {
 }
 
 /// ½(u⊗v + v⊗u), as a strain with engineering shear.
-fn dyad(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
+pub(super) fn dyad(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
     [
         u[0] * v[0],
         u[1] * v[1],
@@ -109,7 +111,7 @@ fn surface_strains(hex: &Hex8, k: usize, poisson_plane: f64) -> [[f64; 6]; 3] {
 }
 
 /// Strain of uniaxial stress along axis `k` for a unit stretch.
-fn fibre_strain(hex: &Hex8, k: usize, poisson: f64) -> [f64; 6] {
+pub(super) fn fibre_strain(hex: &Hex8, k: usize, poisson: f64) -> [f64; 6] {
     let t = hex.directions[k];
     let mut strain = dyad(t, t).map(|x| (1.0 + poisson) * x);
     for value in &mut strain[..3] {
@@ -161,12 +163,159 @@ impl Field {
                 self.fibres[k][c].0[lane] = fibre[c];
             }
         }
+        if hex.is_wedge {
+            self.set_wedge(lane, &WedgeField::of(hex, elastic));
+        }
         for (k, mode) in STRAIN_MODES.into_iter().enumerate() {
             let value = |xi: [f64; 3]| -> f64 {
                 (0..3).filter(|axis| mode >> axis & 1 == 1).map(|axis| xi[axis]).product()
             };
             let mean: f64 = points.clone().map(|(xi, weight)| weight * value(xi)).sum();
             self.means[k].0[lane] = mean / hex.volume;
+        }
+    }
+
+    /// Puts a wedge into the places of what it lacks: aspects of the surfaces across ξ and η, by which it is known, their strains, fibres.
+    fn set_wedge(&mut self, lane: usize, wedge: &WedgeField) {
+        for octet in self.aspects[..2].iter_mut().flatten() {
+            octet.0[lane] = 0.0;
+        }
+        let shears = [0, 1].map(|half| [0, 1, 2, 3, 4, 5].map(|i| wedge.shears.as_flattened()[6 * half + i]));
+        for c in 0..6 {
+            self.surfaces[0][0][c].0[lane] = shears[0][c];
+            self.surfaces[0][1][c].0[lane] = wedge.stretch[c];
+            self.surfaces[0][2][c].0[lane] = wedge.turn[0][c];
+            self.surfaces[1][0][c].0[lane] = wedge.stretch[c];
+            self.surfaces[1][1][c].0[lane] = shears[1][c];
+            self.surfaces[1][2][c].0[lane] = wedge.turn[1][c];
+            for (side, strain) in self.fibres.iter_mut().zip(&wedge.sides) {
+                side[c].0[lane] = strain[c];
+            }
+        }
+    }
+
+    /// Lanes of wedges and of elements without extent.
+    #[inline(always)]
+    fn wedges<L: Lane>(&self, at: usize) -> L::Mask {
+        L::not(L::splat(0.0).less(L::load(&self.aspects[0][0], at)))
+    }
+
+    /// How much the linear shear of a side of a wedge is for unit s_x2, s_y1, s_x1 and s_y2.
+    #[inline(always)]
+    fn shears<L: Lane>(&self, side: usize, at: usize) -> [L; 4] {
+        let mut shears = [L::splat(0.0); 4];
+        let mut i = 0;
+        while i < 4 {
+            let k = 4 * side + i;
+            let half = if k < 6 { &self.surfaces[0][0] } else { &self.surfaces[1][1] };
+            shears[i] = L::load(&half[k % 6], at);
+            i += 1;
+        }
+        shears
+    }
+
+    /// Gives lanes of wedges their strain in place of a hexahedron's: its modes but ζ, and the mean shear that is linked.
+    #[inline(always)]
+    fn strain_wedges<L: Lane>(
+        &self,
+        wedges: L::Mask,
+        s: &[[L; 4]; 3],
+        scale: &Scale,
+        mean: &mut Sym<L>,
+        e: &mut [[L; 8]; 6],
+        at: usize,
+    ) {
+        let zero = L::splat(0.0);
+        let amplitudes = [s[0][1], s[1][0], s[0][0], s[1][1]];
+        let mut shears = [zero; 3];
+        let mut side = 0;
+        while side < 3 {
+            let of = self.shears::<L>(side, at);
+            let sum = of[1].mul_add(amplitudes[1], of[0] * amplitudes[0]);
+            shears[side] = of[3].mul_add(amplitudes[3], of[2].mul_add(amplitudes[2], sum));
+            side += 1;
+        }
+        let aspects = &self.aspects[2];
+        let turn = L::load(&aspects[0], at).neg_mul_add(s[0][0], L::load(&aspects[1], at) * s[1][1]);
+        let [x, y] = [&self.surfaces[0], &self.surfaces[1]];
+        let (linear, product) = (scale.linear, L::splat(-scale.product[2]));
+        let mut v = 0;
+        while v < 6 {
+            let xi = L::load(&x[2][v], at).mul_add(turn, L::load(&x[1][v], at) * s[2][1]);
+            let eta = L::load(&y[2][v], at).mul_add(turn, L::load(&y[0][v], at) * s[2][0]);
+            e[v][1] = L::select(wedges, xi * L::splat(linear[0]), e[v][1]);
+            e[v][2] = L::select(wedges, eta * L::splat(linear[1]), e[v][2]);
+            e[v][3] = L::select(wedges, xi * product, e[v][3]);
+            e[v][5] = L::select(wedges, zero, e[v][5]);
+            e[v][6] = L::select(wedges, zero, e[v][6]);
+            let mut sum = L::load(&self.fibres[0][v], at).mul_add(shears[0], mean[v]);
+            sum = L::load(&self.fibres[1][v], at).mul_add(shears[1], sum);
+            sum = L::load(&self.fibres[2][v], at).mul_add(shears[2], sum);
+            mean[v] = L::select(wedges, sum, mean[v]);
+            v += 1;
+        }
+    }
+
+    /// The transpose: forces conjugate to s of lanes of wedges, in place of those of a hexahedron but for the mode ζ.
+    #[inline(always)]
+    fn forces_wedges<L: Lane>(
+        &self,
+        wedges: L::Mask,
+        e: &[[L; 8]; 6],
+        scale: &Scale,
+        conjugate: &mut [[L; 4]; 3],
+        at: usize,
+    ) {
+        let zero = L::splat(0.0);
+        let [x, y] = [&self.surfaces[0], &self.surfaces[1]];
+        let (linear, product) = (scale.linear, L::splat(scale.product[2]));
+        let (mut of_xi, mut of_eta, mut turn, mut sides) = (zero, zero, zero, [zero; 3]);
+        let mut v = 0;
+        while v < 6 {
+            let xi = product.neg_mul_add(e[v][3], e[v][1] * L::splat(linear[0]));
+            let eta = e[v][2] * L::splat(linear[1]);
+            of_xi = L::load(&x[1][v], at).mul_add(xi, of_xi);
+            of_eta = L::load(&y[0][v], at).mul_add(eta, of_eta);
+            turn = L::load(&x[2][v], at).mul_add(xi, turn);
+            turn = L::load(&y[2][v], at).mul_add(eta, turn);
+            let mut side = 0;
+            while side < 3 {
+                sides[side] = L::load(&self.fibres[side][v], at).mul_add(e[v][0], sides[side]);
+                side += 1;
+            }
+            v += 1;
+        }
+        // The mode ζ alone is a hexahedron's.
+        let aspects = &self.aspects[2];
+        let mut amplitudes = [
+            conjugate[0][1],
+            conjugate[1][0],
+            L::load(&aspects[0], at).neg_mul_add(turn, conjugate[0][0]),
+            L::load(&aspects[1], at).mul_add(turn, conjugate[1][1]),
+        ];
+        let mut side = 0;
+        while side < 3 {
+            let of = self.shears::<L>(side, at);
+            let mut i = 0;
+            while i < 4 {
+                amplitudes[i] = of[i].mul_add(sides[side], amplitudes[i]);
+                i += 1;
+            }
+            side += 1;
+        }
+        let own = [
+            [amplitudes[2], amplitudes[0], zero, zero],
+            [amplitudes[1], amplitudes[3], zero, zero],
+            [of_eta, of_xi, zero, zero],
+        ];
+        let mut k = 0;
+        while k < 3 {
+            let mut alpha = 0;
+            while alpha < 4 {
+                conjugate[k][alpha] = L::select(wedges, own[k][alpha], conjugate[k][alpha]);
+                alpha += 1;
+            }
+            k += 1;
         }
     }
 
@@ -230,6 +379,10 @@ impl FieldShape for Field {
         let mut mean: Sym<L> =
             [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
         super::add_initial(&mut mean, initial, at);
+        let wedges = self.wedges::<L>(at);
+        if L::any(wedges) {
+            self.strain_wedges(wedges, &s, scale, &mut mean, &mut e, at);
+        }
         let mut c = 0;
         while c < 6 {
             let mut constant = mean[c];
@@ -284,6 +437,10 @@ impl FieldShape for Field {
             conjugate[c][c] = L::load(&aspects[1], at).mul_add(shear, conjugate[c][c]);
             conjugate[k][3] = sums[3] * L::splat(scale.product[k]);
             k += 1;
+        }
+        let wedges = self.wedges::<L>(at);
+        if L::any(wedges) {
+            self.forces_wedges(wedges, &e, scale, &mut conjugate, at);
         }
         let resultants: Sym<L> = [e[0][0], e[1][0], e[2][0], e[3][0], e[4][0], e[5][0]];
         let (b, x, axes) = (&self.gradient, &self.hourglass, &self.axes);

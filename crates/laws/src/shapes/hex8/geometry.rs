@@ -97,6 +97,11 @@ pub struct Hex8 {
     pub half_lengths: [f64; 3],
     /// Unit vectors t_k along the natural axes at the centre.
     pub directions: [[f64; 3]; 3],
+    /// Whether this is a wedge: corners 3 and 2 fall together, and 7 and 6, and no others.
+    pub is_wedge: bool,
+    /// Which sides of a wedge are linked, those between corners 0 and 1, 1 and 2, 2 and 0: they must be linked by what shares them as well.
+    /// [`Hex8::new`] says which may be; none of a hexahedron. Elements of one point link none.
+    pub linked: [bool; 3],
 }
 
 type Mat3 = [[f64; 3]; 3];
@@ -270,6 +275,18 @@ impl Hex8 {
         for (hourglass, mode) in hourglass.iter_mut().zip(HOURGLASS) {
             *hourglass = project(&corners, mode);
         }
-        Ok(Hex8 { corners, volume, weights, corner_volumes, gradient, hourglass, half_lengths, directions })
+        let linkable = super::wedge::linkable(&corners);
+        Ok(Hex8 {
+            corners,
+            volume,
+            weights,
+            corner_volumes,
+            gradient,
+            hourglass,
+            half_lengths,
+            directions,
+            is_wedge: linkable.is_some(),
+            linked: linkable.unwrap_or_default(),
+        })
     }
 }

@@ -42,6 +42,7 @@ mod one_point;
 mod pores;
 mod quadrature;
 mod size;
+mod wedge;
 
 pub use bodies::MODAL_MEMORY;
 pub use brick::BrickGeometry;

@@ -2,6 +2,7 @@
 
 use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
 use super::pores::Pressed;
+use super::wedge::turn_square;
 use super::{Given, Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
 use crate::band::{BandStep, MEMORY};
 use crate::lane::{Lane, Octet, Row};
@@ -60,7 +61,8 @@ pub struct OnePointGeometry {
     hourglass: [[Octet; 3]; 4],
     /// Directions over half-lengths, with the ⅛ of γ: t_ki/(8 ℓ_k).
     axes: [[Octet; 3]; 3],
-    /// Of the surface across each natural axis, see [`Surface`].
+    /// Of the surface across each natural axis, see [`Surface`]: aspect, its inverse, cosine, stretch. Of the one across ξ of a wedge 0, 0, and
+    /// the mean square of the shear of its turn in place of the cosine; 0 and 0 of the one across η.
     surfaces: [[Octet; 4]; 3],
     volume: Octet,
 }
@@ -92,6 +94,12 @@ impl OnePointShape for OnePointGeometry {
             for (octet, value) in self.surfaces[k].iter_mut().zip(values) {
                 octet.0[lane] = value;
             }
+        }
+        if hex.is_wedge {
+            for octet in self.surfaces[..2].iter_mut().flat_map(|surface| &mut surface[..2]) {
+                octet.0[lane] = 0.0;
+            }
+            self.surfaces[0][2].0[lane] = turn_square(hex);
         }
         self.volume.0[lane] = hex.volume;
     }
@@ -131,12 +139,52 @@ impl OnePointShape for OnePointGeometry {
         bend_surface::<L, 0, 1, 2>(&self.surfaces[0], bend, less, s, &mut p, at);
         bend_surface::<L, 1, 2, 0>(&self.surfaces[1], bend, less, s, &mut p, at);
         bend_surface::<L, 2, 0, 1>(&self.surfaces[2], bend, less, s, &mut p, at);
+        let wedges = L::not(L::splat(0.0).less(L::load(&self.surfaces[0][0], at)));
+        if L::any(wedges) {
+            self.resist_wedges(wedges, elastic, s, &mut p, at);
+        }
         p
     }
 
     #[inline(always)]
     fn forces<L: Lane, const I: usize>(&self, resultants: &Sym<L>, p: &[[L; 4]; 3], at: usize) -> [L; 8] {
         modal_forces::<L, I>(&self.gradient, &self.hourglass, &self.axes, resultants, p, at)
+    }
+}
+
+impl OnePointGeometry {
+    /// Gives lanes of wedges the forces of their own strain ([`super::wedge`]) in place of a hexahedron's, but for those of the mode ζ, as
+    /// if they were prisms: means of (ξ − ξη)² and of (η − η̄)² over a triangle are ⅔ and 2/9.
+    #[inline(always)]
+    fn resist_wedges<L: Lane>(
+        &self,
+        wedges: L::Mask,
+        elastic: Resistance<L>,
+        s: &[[L; 4]; 3],
+        p: &mut [[L; 4]; 3],
+        at: usize,
+    ) {
+        let zero = L::splat(0.0);
+        let Resistance { bend, twist, less } = elastic;
+        let aspects = &self.surfaces[2];
+        let (aspect, inverse) = (L::load(&aspects[0], at), L::load(&aspects[1], at));
+        // μV = 3/2 (1 − ν) E/(1 − ν²) V/3.
+        let shear = L::splat(1.5) * (bend * less) * L::load(&self.surfaces[0][2], at);
+        let turn = shear * aspect.neg_mul_add(s[0][0], inverse * s[1][1]);
+        let own = [
+            [aspect.neg_mul_add(turn, p[0][0]), p[0][1], zero, zero],
+            [p[1][0], inverse.mul_add(turn, p[1][1]), zero, zero],
+            [L::splat(2.0) * (twist * s[2][0]), L::splat(6.0) * (twist * s[2][1]), zero, zero],
+        ];
+        let mut k = 0;
+        while k < 3 {
+            let mut alpha = 0;
+            while alpha < 4 {
+                p[k][alpha] = L::select(wedges, own[k][alpha], p[k][alpha]);
+                alpha += 1;
+            }
+            k += 1;
+        }
     }
 }
 
