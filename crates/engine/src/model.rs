@@ -2,6 +2,7 @@
 
 mod draft;
 mod elements;
+mod linked;
 mod numbering;
 mod outside;
 mod patches;
@@ -175,7 +176,7 @@ impl Model {
         let (outside, slab_bodies) = draft.add_outside(&boundaries, faces.bounds, sides_of, grounds)?;
         draft.finish(user.elements, &boundaries)?;
         let Draft { mesh, bodies, mut elements, tractions, seams, parted, origin } = draft;
-        elements.frequencies = elements::frequencies(&mesh, &bodies, &elements.columns);
+        elements.frequencies = elements::frequencies(&mesh, &bodies, &elements);
         water.spread(&mesh, user.nodes, &elements.parents, &origin, outside.sheets());
         let domains = [user.bodies, slab_bodies];
         let whole = (&mesh, &bodies[..], &elements);
@@ -267,7 +268,7 @@ impl Model {
     /// The highest frequency of each of some elements of a body alone in the shaking \[rad/s\], water included.
     pub fn frequencies(&self, body: &Body, elements: &[u32]) -> Vec<f64> {
         let dry = elements.iter().map(|&e| self.elements.frequencies[e as usize]).collect();
-        let shape = |i: usize| elements::vibrating(&self.mesh, &self.elements.columns, elements[i] as usize);
+        let shape = |i: usize| elements::vibrating(&self.mesh, &self.elements, elements[i]);
         self.water.frequencies(body, elements, dry, shape)
     }
 

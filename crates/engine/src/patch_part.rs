@@ -33,7 +33,7 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
             body: body.name.clone(),
             reason,
         };
-        let hex = hex(&model.mesh, e as usize).map_err(unusable)?;
+        let hex = model.elements.shape(&model.mesh, e).map_err(unusable)?;
         let mut corner = [0; 8];
         let mesh_nodes = hex_nodes(&model.mesh, e as usize);
         for k in 0..8 {
@@ -69,7 +69,7 @@ pub fn solid(model: &Model, faces: &HashMap<u32, Face>, number: u32) -> Result<M
         geometry.push(hex);
     }
     // What is made of another element is as viscous and cracks as that does, whatever its own thickness.
-    let own = |&e: &u32| hex(&model.mesh, model.elements.parents[e as usize] as usize);
+    let own = |&e: &u32| model.elements.shape(&model.mesh, model.elements.parents[e as usize]);
     let parents = || -> Vec<Hex8> { patch.elements.iter().filter_map(|e| own(e).ok()).collect() };
     let viscosity = viscosity(model, patch, parents);
     let outside = patch.elements.iter().any(|&e| e as usize >= model.user.elements);

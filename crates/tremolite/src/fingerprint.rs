@@ -66,6 +66,7 @@ pub(crate) fn fingerprint(model: &Model, assembly: &Assembly, plan: &Plan, dt: f
         parents: _,
         thickness: _,
         columns: _,
+        linked: _,
         frequencies: _,
     } = elements;
     let Boundaries {

@@ -21,7 +21,7 @@ use tremolite_mesh::Mesh;
 pub(super) struct Draft {
     pub mesh: Mesh,
     pub bodies: Vec<Body>,
-    /// Viscosity and thickness come last, by [`Draft::finish`].
+    /// Viscosity, thickness and linked sides come last, by [`Draft::finish`].
     pub elements: Elements,
     pub tractions: Vec<Traction>,
     pub seams: Vec<Seam>,
@@ -95,6 +95,7 @@ impl Draft {
     /// If the thickness of a layered element is not to be told.
     pub fn finish(&mut self, user_elements: usize, asked: &Boundaries) -> Result<(), ModelError> {
         self.elements.viscosity = self.viscosities();
+        self.elements.linked = super::linked::linked(&self.mesh, &self.bodies);
         let Draft { mesh, bodies, elements, seams, .. } = &*self;
         self.elements.thickness = thickness::axes(mesh, bodies, user_elements, elements, seams, asked)?;
         Ok(())

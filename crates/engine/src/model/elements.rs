@@ -7,7 +7,7 @@ use crate::life::{Life, Stage};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::ops::Range;
-use tremolite_laws::shapes::hex8::{Hex8, element_frequencies};
+use tremolite_laws::shapes::hex8::{BadShape, Hex8, element_frequencies};
 use tremolite_mesh::Mesh;
 
 /// Lists by element of the mesh; those of slabs and columns lie behind the user's.
@@ -32,11 +32,23 @@ pub struct Elements {
     pub thickness: Vec<u8>,
     /// Elements of reference columns, behind all others.
     pub columns: Range<usize>,
+    /// Of wedges of several points the sides by which they are linked.
+    pub linked: HashMap<u32, [bool; 3]>,
     /// The highest frequency of each element alone \[rad/s\], with its undamaged stiffness and without water; 0 of void ones.
     pub frequencies: Vec<f64>,
 }
 
 impl Elements {
+    /// Geometry of an element as its kernel has it, but for the order of its corners.
+    ///
+    /// # Errors
+    /// If it cannot be integrated.
+    pub fn shape(&self, mesh: &Mesh, element: u32) -> Result<Hex8, BadShape> {
+        let mut hex = hex(mesh, element as usize)?;
+        hex.linked = self.linked.get(&element).copied().unwrap_or(hex.linked);
+        Ok(hex)
+    }
+
     /// The user's elements that are there in the shaking, ascending.
     pub(super) fn shaken(&self) -> Vec<u32> {
         (0..self.body_of.len()).filter(|&e| self.stands(e, Stage::Shaking)).map(|e| e as u32).collect()
@@ -50,18 +62,18 @@ impl Elements {
 }
 
 /// The shape by which an element's highest frequency is found: its own, or that of a layer of a reference column.
-pub(super) fn vibrating(mesh: &Mesh, columns: &Range<usize>, element: usize) -> Option<Hex8> {
-    let own = hex(mesh, element).ok()?;
-    if columns.contains(&element) { column::widened(&own) } else { Some(own) }
+pub(super) fn vibrating(mesh: &Mesh, known: &Elements, element: u32) -> Option<Hex8> {
+    let own = known.shape(mesh, element).ok()?;
+    if known.columns.contains(&(element as usize)) { column::widened(&own) } else { Some(own) }
 }
 
-/// [`Elements::frequencies`] of a mesh, its bodies and its elements of reference columns.
-pub(super) fn frequencies(mesh: &Mesh, bodies: &[Body], columns: &Range<usize>) -> Vec<f64> {
+/// [`Elements::frequencies`] of a mesh and its bodies.
+pub(super) fn frequencies(mesh: &Mesh, bodies: &[Body], known: &Elements) -> Vec<f64> {
     const AT_ONCE: usize = 1024;
     let mut all = vec![0.0; mesh.elements.len()];
     for body in bodies {
         let of = |elements: &[u32]| {
-            let usable = elements.iter().filter_map(|&e| Some((e, vibrating(mesh, columns, e as usize)?)));
+            let usable = elements.iter().filter_map(|&e| Some((e, vibrating(mesh, known, e)?)));
             let (elements, shapes): (Vec<u32>, Vec<_>) = usable.unzip();
             let omegas =
                 element_frequencies(&shapes, body.material.stiffest(), body.density, body.quadrature);

@@ -29,4 +29,5 @@ mod rock_reference;
 mod rock_strength;
 mod scaled;
 mod size;
+mod strips;
 mod wedge;

@@ -13,7 +13,7 @@ use crate::quantities::{MonitorSeen, Moved};
 use crate::support::look;
 use tremolite_engine::assembly::Assembly;
 use tremolite_engine::bolts::SegmentSeen;
-use tremolite_engine::hexahedra::{hex, hex_nodes};
+use tremolite_engine::hexahedra::hex_nodes;
 use tremolite_engine::member::Kind;
 use tremolite_engine::model::Model;
 use tremolite_engine::state::Memory;
@@ -177,7 +177,7 @@ pub(super) fn elastic_change(
         return [f64::NAN; 6];
     };
     let nodes = hex_nodes(&model.mesh, element).map(|n| model.engine_node[n as usize] as usize);
-    let Ok(hex) = hex(&model.mesh, element) else { return [f64::NAN; 6] };
+    let Ok(hex) = model.elements.shape(&model.mesh, element as u32) else { return [f64::NAN; 6] };
     let stress = elastic_stress(&hex, body.material.relaxed(), body.quadrature, &nodes.map(displacement));
     let quadrature = if stress.len() == 1 { Quadrature::OnePoint } else { Quadrature::Full };
     stress_at(&Points { quadrature, axis: 0 }, &stress, natural(model, monitor, element))

@@ -36,7 +36,12 @@ pub(super) const G: f64 = 0.577_350_269_189_625_8;
 pub struct Scale {
     pub linear: [f64; 3],
     pub product: [f64; 3],
+    /// Along which axes the points tell a moment, so that its modes are freed of the products' share in it.
+    pub bends: [bool; 3],
 }
+
+/// Means of natural coordinates up to which a plan is a parallelogram: its bits are those of one.
+const CENTRED: f64 = 1e-9;
 
 /// Geometry of eight elements of several points as their strain needs it: from modal displacements to the strain's coefficients by
 /// component, `[component][mode]`, mode 7 empty, and back from their resultants.
@@ -192,6 +197,20 @@ impl Field {
                 side[c].0[lane] = strain[c];
             }
         }
+    }
+
+    /// Means of ξ, η and ζ over what their values ±1 stand for; zero where the product modes are square to the linear ones anyway.
+    #[inline(always)]
+    fn centres<L: Lane>(&self, wedges: L::Mask, means: &[L; 6]) -> [L; 3] {
+        let zero = L::splat(0.0);
+        let mut centres = [zero; 3];
+        let mut k = 0;
+        while k < 3 {
+            let off = L::splat(CENTRED).less(means[k].abs());
+            centres[k] = L::select(off, L::select(wedges, zero, means[k]), zero);
+            k += 1;
+        }
+        centres
     }
 
     /// Lanes of wedges and of elements without extent.
@@ -380,6 +399,21 @@ impl FieldShape for Field {
             [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
         super::add_initial(&mut mean, initial, at);
         let wedges = self.wedges::<L>(at);
+        let centres = self.centres(wedges, &means);
+        let mut c = 0;
+        while c < 6 {
+            // Products of coordinates counted from their means: a constant moment does no work on them.
+            let mut k = 0;
+            while k < 3 {
+                if scale.bends[k] {
+                    let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+                    let sum = centres[a].neg_mul_add(e[c][7 ^ (1 << b)], e[c][1 << k]);
+                    e[c][1 << k] = centres[b].neg_mul_add(e[c][7 ^ (1 << a)], sum);
+                }
+                k += 1;
+            }
+            c += 1;
+        }
         if L::any(wedges) {
             self.strain_wedges(wedges, &s, scale, &mut mean, &mut e, at);
         }
@@ -401,6 +435,8 @@ impl FieldShape for Field {
     #[inline(always)]
     fn forces<L: Lane>(&self, mut e: [[L; 8]; 6], scale: &Scale, at: usize) -> [[L; 8]; 3] {
         let means = self.means::<L>(scale, at);
+        let wedges = self.wedges::<L>(at);
+        let centres = self.centres(wedges, &means);
         let mut c = 0;
         while c < 6 {
             let constant = e[c][0];
@@ -408,6 +444,16 @@ impl FieldShape for Field {
             while k < 6 {
                 let mode = STRAIN_MODES[k];
                 e[c][mode] = means[k].neg_mul_add(constant, e[c][mode]);
+                k += 1;
+            }
+            let mut k = 0;
+            while k < 3 {
+                if scale.bends[k] {
+                    let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+                    let moment = e[c][1 << k];
+                    e[c][7 ^ (1 << b)] = centres[a].neg_mul_add(moment, e[c][7 ^ (1 << b)]);
+                    e[c][7 ^ (1 << a)] = centres[b].neg_mul_add(moment, e[c][7 ^ (1 << a)]);
+                }
                 k += 1;
             }
             c += 1;
@@ -438,7 +484,6 @@ impl FieldShape for Field {
             conjugate[k][3] = sums[3] * L::splat(scale.product[k]);
             k += 1;
         }
-        let wedges = self.wedges::<L>(at);
         if L::any(wedges) {
             self.forces_wedges(wedges, &e, scale, &mut conjugate, at);
         }

@@ -28,7 +28,7 @@ pub struct FullGeometry {
     weights: [Octet; 8],
 }
 
-pub(super) const SCALE: Scale = Scale { linear: [G; 3], product: [G * G; 3] };
+pub(super) const SCALE: Scale = Scale { linear: [G; 3], product: [G * G; 3], bends: [true; 3] };
 
 impl FullGeometry {
     /// Geometry without extent: forces from it are zero. Pads the last octet of a patch.

@@ -28,7 +28,7 @@ pub struct LayeredGeometry {
     depth: [[Octet; 3]; 4],
 }
 
-const SCALE: Scale = Scale { linear: [G, G, 1.0], product: [G, G, G * G] };
+const SCALE: Scale = Scale { linear: [G, G, 1.0], product: [G, G, G * G], bends: [false, false, true] };
 
 impl LayeredGeometry {
     /// Geometry without extent: forces from it are zero. Pads the last octet of a patch.
