@@ -10,10 +10,11 @@ const ALIKE: f64 = 1e-9;
 ///
 /// Collapsing keeps the patch test, the six rigid modes and the right row-sum masses, since the shape functions that
 /// fall together add up to those of the smaller shape. A tetrahedron is the constant-strain one: it locks in bending
-/// and at ν → ½. A wedge bends well along its axis and locks across its triangles; a pyramid is in between.
+/// and at ν → ½; a pyramid is between it and a hexahedron. A wedge has a field of its own, which bends out of the plane of its triangles
+/// as a hexahedron does, and is constant strain in that plane.
 ///
-/// What is bilinear in a hexahedron is not even in a wedge: it goes by which of its three edges along the axis counts twice. That is the
-/// one across from the longest side of its triangles, so the answer does not go by the corner with which a mesh begins.
+/// The natural axes of a wedge depend on which of its three edges along the axis counts twice. A prism has the same strain for each. Other wedges
+/// take the edge across from the longest side of the triangles, so results do not depend on the corner with which a mesh begins.
 pub fn hex_nodes(mesh: &Mesh, element: usize) -> [u32; 8] {
     let e = &mesh.elements[element];
     let n = e.nodes;

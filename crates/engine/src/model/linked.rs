@@ -79,9 +79,8 @@ mod tests {
     /// A row of squares in plan: two wedges, a hexahedron, two wedges of one point, two of several.
     #[test]
     fn sides_between_wedges_of_several_points_and_free_ones_are_linked() {
-        let nodes = (0..20u32)
-            .map(|n| [f64::from(n % 5), f64::from(n / 5 % 2), 0.4 * f64::from(n / 10)])
-            .collect();
+        let nodes =
+            (0..20u32).map(|n| [f64::from(n % 5), f64::from(n / 5 % 2), 0.4 * f64::from(n / 10)]).collect();
         let square = |i: u32| [i, i + 1, i + 6, i + 5];
         let wedge = |[a, b, c]: [u32; 3]| Element::new(Shape::Wedge6, &[a, b, c, a + 10, b + 10, c + 10]);
         let wedges = |i: u32| {

@@ -136,11 +136,16 @@ fn constant_strain_gives_constant_stress_in_any_wedge() {
                 for p in 0..kind.points() {
                     for c in 0..6 {
                         let found = probe.stress[p][c].0[0];
-                        assert!((found - exact[c]).abs() < 1e-12, "{kind:?} {seed}: {found} and {}", exact[c]);
+                        assert!(
+                            (found - exact[c]).abs() < 1e-12,
+                            "{kind:?} {seed}: {found} and {}",
+                            exact[c]
+                        );
                     }
                 }
                 let energy = probe.strain_energy.0[0] + probe.hourglass_energy.0[0];
-                let density = 0.5 * (0..6).map(|c| exact[c] * [2.0, 1.5, -1.1, 0.2, 0.6, -0.1][c]).sum::<f64>();
+                let density =
+                    0.5 * (0..6).map(|c| exact[c] * [2.0, 1.5, -1.1, 0.2, 0.6, -0.1][c]).sum::<f64>();
                 assert!((energy / (density * hex.volume) - 1.0).abs() < 1e-12, "{kind:?} {seed}");
             }
         }
@@ -179,7 +184,8 @@ fn patch_residual(kind: Kind, seed: u64, uneven: f64, twist: f64) -> f64 {
         [a.min(b), a.max(b)]
     };
     let hex_of = |cell: &[usize]| {
-        let all: Vec<Vector> = cell.iter().chain(&cell.iter().map(|n| n + 25).collect::<Vec<_>>()).map(|&n| nodes[n]).collect();
+        let all: Vec<Vector> =
+            cell.iter().chain(&cell.iter().map(|n| n + 25).collect::<Vec<_>>()).map(|&n| nodes[n]).collect();
         match cell.len() {
             4 => Hex8::new(core::array::from_fn(|k| all[k])).unwrap(),
             _ => wedge(core::array::from_fn(|k| all[k])),
@@ -198,7 +204,8 @@ fn patch_residual(kind: Kind, seed: u64, uneven: f64, twist: f64) -> f64 {
     if uneven == 0.0 && twist == 0.0 {
         assert!(linked > 60, "{linked}");
     }
-    let linear = |[x, y, z]: Vector| [2.0 * x - 0.7 * y + 0.4 * z, 0.9 * x + y - 0.2 * z, 0.8 * y - 0.5 * x - z];
+    let linear =
+        |[x, y, z]: Vector| [2.0 * x - 0.7 * y + 0.4 * z, 0.9 * x + y - 0.2 * z, 0.8 * y - 0.5 * x - z];
     let moduli = Moduli::from_young_poisson(1.0, 0.3);
     let mut residual = vec![[0.0; 3]; nodes.len()];
     for (cell, hex) in cells.iter().zip(&hexes) {
@@ -251,7 +258,11 @@ fn a_wedge_has_exactly_six_zero_energy_modes_and_a_symmetric_stiffness() {
                         }
                         let values = eigenvalues(k);
                         assert!(values[5].abs() < 1e-13 * size, "{kind:?} ν = {nu}: {:e}", values[5]);
-                        assert!(values[6] > 1e-3, "{kind:?} ν = {nu}: seventh eigenvalue {:e} E m", values[6]);
+                        assert!(
+                            values[6] > 1e-3,
+                            "{kind:?} ν = {nu}: seventh eigenvalue {:e} E m",
+                            values[6]
+                        );
                     }
                 }
             }

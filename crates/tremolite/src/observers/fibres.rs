@@ -95,7 +95,8 @@ impl Fibres {
         let nodes = Which::corners(model, banded.map(|cell| cell.element));
         let since = |(k, body): (usize, &Body)| {
             let told = cells.iter().filter(|cell| cell.body == k && cell.since.is_some());
-            let hexes: Vec<Hex8> = told.filter_map(|c| model.elements.shape(&model.mesh, c.element).ok()).collect();
+            let hexes: Vec<Hex8> =
+                told.filter_map(|c| model.elements.shape(&model.mesh, c.element).ok()).collect();
             ElasticPoints::new(&hexes, body.material.relaxed())
         };
         let since = model.user_bodies().iter().enumerate().map(since).collect();

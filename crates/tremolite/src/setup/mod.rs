@@ -3,6 +3,7 @@
 mod bolts;
 mod changes;
 mod doubts;
+mod edges;
 pub(crate) mod facts;
 mod groups;
 mod holes;
@@ -271,6 +272,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(warnings::of_single_layers(case, &mesh, &lasting));
+    warnings.extend(edges::warnings(case, &mesh, &lasting));
     warnings.extend(warnings::of_axes(case, &mesh, &lasting));
     warnings.extend(warnings::of_tetrahedra(case, &mesh, &lasting, &in_pores));
     warnings.extend(warnings::of_plateaus(case, &mesh, &lasting));

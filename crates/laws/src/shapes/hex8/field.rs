@@ -199,18 +199,20 @@ impl Field {
         }
     }
 
-    /// Means of ξ, η and ζ over what their values ±1 stand for; zero where the product modes are square to the linear ones anyway.
+    /// Means of ξ, η and ζ over what their values ±1 stand for, zero where the product modes are square to the linear ones anyway; and the lanes
+    /// where they are not.
     #[inline(always)]
-    fn centres<L: Lane>(&self, wedges: L::Mask, means: &[L; 6]) -> [L; 3] {
+    fn centres<L: Lane>(&self, wedges: L::Mask, means: &[L; 6]) -> ([L; 3], L::Mask) {
         let zero = L::splat(0.0);
-        let mut centres = [zero; 3];
+        let (mut centres, mut most) = ([zero; 3], zero);
         let mut k = 0;
         while k < 3 {
-            let off = L::splat(CENTRED).less(means[k].abs());
-            centres[k] = L::select(off, L::select(wedges, zero, means[k]), zero);
+            let mean = L::select(wedges, zero, means[k]);
+            centres[k] = L::select(L::splat(CENTRED).less(mean.abs()), mean, zero);
+            most = most.larger(centres[k].abs());
             k += 1;
         }
-        centres
+        (centres, zero.less(most))
     }
 
     /// Lanes of wedges and of elements without extent.
@@ -399,16 +401,18 @@ impl FieldShape for Field {
             [g[0][0], g[1][1], g[2][2], g[0][1] + g[1][0], g[1][2] + g[2][1], g[0][2] + g[2][0]];
         super::add_initial(&mut mean, initial, at);
         let wedges = self.wedges::<L>(at);
-        let centres = self.centres(wedges, &means);
+        let (centres, off) = self.centres(wedges, &means);
+        let is_off = L::any(off);
+        // Products of coordinates count from their means: a constant moment does no work on them.
         let mut c = 0;
-        while c < 6 {
-            // Products of coordinates counted from their means: a constant moment does no work on them.
+        while is_off && c < 6 {
             let mut k = 0;
             while k < 3 {
                 if scale.bends[k] {
                     let (a, b) = ((k + 1) % 3, (k + 2) % 3);
                     let sum = centres[a].neg_mul_add(e[c][7 ^ (1 << b)], e[c][1 << k]);
-                    e[c][1 << k] = centres[b].neg_mul_add(e[c][7 ^ (1 << a)], sum);
+                    let sum = centres[b].neg_mul_add(e[c][7 ^ (1 << a)], sum);
+                    e[c][1 << k] = L::select(off, sum, e[c][1 << k]);
                 }
                 k += 1;
             }
@@ -436,7 +440,8 @@ impl FieldShape for Field {
     fn forces<L: Lane>(&self, mut e: [[L; 8]; 6], scale: &Scale, at: usize) -> [[L; 8]; 3] {
         let means = self.means::<L>(scale, at);
         let wedges = self.wedges::<L>(at);
-        let centres = self.centres(wedges, &means);
+        let (centres, off) = self.centres(wedges, &means);
+        let is_off = L::any(off);
         let mut c = 0;
         while c < 6 {
             let constant = e[c][0];
@@ -447,12 +452,13 @@ impl FieldShape for Field {
                 k += 1;
             }
             let mut k = 0;
-            while k < 3 {
+            while is_off && k < 3 {
                 if scale.bends[k] {
                     let (a, b) = ((k + 1) % 3, (k + 2) % 3);
                     let moment = e[c][1 << k];
-                    e[c][7 ^ (1 << b)] = centres[a].neg_mul_add(moment, e[c][7 ^ (1 << b)]);
-                    e[c][7 ^ (1 << a)] = centres[b].neg_mul_add(moment, e[c][7 ^ (1 << a)]);
+                    let (first, second) = (e[c][7 ^ (1 << b)], e[c][7 ^ (1 << a)]);
+                    e[c][7 ^ (1 << b)] = L::select(off, centres[a].neg_mul_add(moment, first), first);
+                    e[c][7 ^ (1 << a)] = L::select(off, centres[b].neg_mul_add(moment, second), second);
                 }
                 k += 1;
             }

@@ -24,8 +24,10 @@
 //!
 //! For a brick these are Belytschko & Bindeman's ASQBI strains. Here the t_k need not be square to each other: they
 //! are covariant components, so that a parallelepiped bends exactly as well as a brick ([`Surface`]; the same idea as
-//! the stress modes of `pian1984`). Limits: small displacements; trapezoids bend too stiffly, as they
-//! must in an element that passes the patch test (`macneal1987`).
+//! the stress modes of `pian1984`). Where a plan is no parallelogram the products ηζ, ξζ and ξη do work under a constant moment;
+//! points of several count them from the means of ξ, η and ζ, and the closed form of one point leaves that work out. A wedge has a strain of
+//! its own (`wedge.rs`). Limits: small displacements; elements that are trapezoids through the thickness bend too stiffly, as they must in
+//! an element that passes the patch test (`macneal1987`).
 
 mod bodies;
 mod brick;

@@ -34,8 +34,8 @@ const FLAT: f64 = 1e-4;
 /// Sine of the twist, up to which sides are linked between wedges whose edges lead along the normal: an assumption, 12°, where
 /// curved linings of hexahedra lock as well.
 pub const TWIST: f64 = 0.2;
-/// Sine of the angle between the normal of a wedge and the mean of its edges, up to which these lead along it: an assumption, 3°.
-const LEAN: f64 = 0.05;
+/// Sine of the angle between the normal of a wedge and the mean of its edges, up to which these lead along it: 5°, an assumption.
+const LEAN: f64 = 0.087;
 
 type Vector = [f64; 3];
 
@@ -153,7 +153,8 @@ impl WedgeField {
 fn linear_modes(hex: &Hex8) -> [[f64; 3]; 2] {
     let b = &hex.gradient;
     // Corners that fall together make ξη of −ξ and ξηζ of −ξζ.
-    let [xi, of_xi_zeta] = [(1, HOURGLASS[2]), (HOURGLASS[1], HOURGLASS[3])].map(|(m, n)| plus(b[m], -1.0, b[n]));
+    let [xi, of_xi_zeta] =
+        [(1, HOURGLASS[2]), (HOURGLASS[1], HOURGLASS[3])].map(|(m, n)| plus(b[m], -1.0, b[n]));
     let (eta, zeta) = (b[2], b[4]);
     let det = dot(xi, cross(eta, zeta));
     [b[HOURGLASS[0]], of_xi_zeta].map(|rest| {
