@@ -61,6 +61,8 @@ pub enum NoCurve {
     Always { lowest: f64 },
     /// It is exceeded in no run up to `below` and in every run from `above` on: θ lies between them, and β cannot be told from 0.
     Separated { below: f64, above: f64 },
+    /// It is exceeded at the highest intensity alone, in so many of the runs there.
+    HighestAlone { level: f64, exceeded: usize, of: usize },
     /// It is not exceeded more often at higher intensities.
     Falling,
     /// Fewer than two different intensities at which it was exceeded, or so few that nothing follows.
@@ -84,6 +86,12 @@ pub fn of_stripes(seen: &[Seen]) -> Result<Curve, NoCurve> {
         (true, true) => {}
     }
     // Levels that are equal may differ in the digits that factors are told with.
+    if highest_left.max(highest) <= lowest * (1.0 + SAME) {
+        let there = |s: &&Seen| s.intensity * (1.0 + SAME) >= lowest;
+        let of = seen.iter().filter(there).count();
+        let exceeded = seen.iter().filter(there).filter(|s| s.exceeded).count();
+        return Err(NoCurve::HighestAlone { level: lowest, exceeded, of });
+    }
     if highest_left <= lowest * (1.0 + SAME) {
         return Err(NoCurve::Separated { below: highest_left, above: lowest });
     }

@@ -101,12 +101,16 @@ pub const TEXTS: Texts = &[
         "自 {lowest} 起所有计算都超过限值：请增加更低的水平",
     ),
     (
-        "the data are separated: no run is beyond the limit below {level}, every one above it, and some are at {level} itself; the median lies there, and beta cannot be told from 0: add levels around it, or records",
-        "数据可分离：低于 {level} 的计算均未超过限值，高于它的全部超过，恰在 {level} 处的有部分超过；中位值即在此处，β 与 0 无法区分：请在其附近增加水平，或增加记录",
+        "only the highest level, {level}, exceeds the limit ({exceeded} of {of} runs): too few to fit a curve; add levels above {level}, or records",
+        "只有最高强度 {level} 超过限值（{of} 次计算中 {exceeded} 次）：不足以拟合曲线；请在 {level} 以上增加强度，或增加记录",
     ),
     (
-        "the data are separated: no run is beyond the limit up to {below}, and every one from {above} on; the median lies there, and beta cannot be told from 0: add levels between them, or records",
-        "数据可分离：直到 {below} 均未超过限值，自 {above} 起全部超过；中位值在两者之间，β 与 0 无法区分：请在其间增加水平，或增加记录",
+        "no run exceeds the limit below {level}, every run above it, and some at {level}: beta cannot be told from 0; add levels around {level}, or records",
+        "{level} 以下均未超过限值，以上均超过，而在 {level} 处有的超过：beta 与 0 无法区分；请在 {level} 附近增加强度，或增加记录",
+    ),
+    (
+        "no run exceeds the limit up to {below}, every run from {above} on: beta cannot be told from 0; add levels between them, or records",
+        "直到 {below} 均未超过限值，从 {above} 起均超过：beta 与 0 无法区分；请在两者之间增加强度，或增加记录",
     ),
     (
         "the limit is not exceeded more often at higher intensities: this measure of intensity does not govern it",

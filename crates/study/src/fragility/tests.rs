@@ -78,6 +78,9 @@ fn what_has_no_curve_says_why() {
         .map(|s| Seen { intensity: s.intensity * (1.0 + 1e-10 * s.cluster as f64), ..*s })
         .collect();
     assert!(matches!(of_stripes(&nearly), Err(NoCurve::Separated { .. })), "{:?}", of_stripes(&nearly));
+    let highest = |exceeded| Err(NoCurve::HighestAlone { level: 1.2, exceeded, of: 12 });
+    assert_eq!(of_stripes(&stripes([0, 0, 0, 0, 0, 0, 6], 12)), highest(6));
+    assert_eq!(of_stripes(&stripes([0, 0, 0, 0, 0, 0, 12], 12)), highest(12));
     assert_eq!(of_stripes(&stripes([0; 7], 12)), Err(NoCurve::Never { highest: 1.2 }));
     assert_eq!(of_stripes(&stripes([12; 7], 12)), Err(NoCurve::Always { lowest: 0.1 }));
     assert_eq!(of_stripes(&stripes([12, 12, 9, 6, 2, 0, 0], 12)), Err(NoCurve::Falling));

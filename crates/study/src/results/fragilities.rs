@@ -298,14 +298,21 @@ fn in_words(why: NoCurve, unit: &str) -> Said {
         NoCurve::Always { lowest } => {
             said!("every run is beyond the limit, from {lowest} on: add lower levels", lowest = told(lowest))
         }
+        NoCurve::HighestAlone { level, exceeded, of } => said!(
+            "only the highest level, {level}, exceeds the limit ({exceeded} of {of} runs): too few to fit a curve; add levels above \
+             {level}, or records",
+            level = told(level),
+            exceeded = exceeded.to_string(),
+            of = of.to_string(),
+        ),
         NoCurve::Separated { below, above } if told(below) == told(above) => said!(
-            "the data are separated: no run is beyond the limit below {level}, every one above it, and some are at {level} itself; the median \
-             lies there, and beta cannot be told from 0: add levels around it, or records",
+            "no run exceeds the limit below {level}, every run above it, and some at {level}: beta cannot be told from 0; add levels \
+             around {level}, or records",
             level = told(below)
         ),
         NoCurve::Separated { below, above } => said!(
-            "the data are separated: no run is beyond the limit up to {below}, and every one from {above} on; the median lies there, and beta \
-             cannot be told from 0: add levels between them, or records",
+            "no run exceeds the limit up to {below}, every run from {above} on: beta cannot be told from 0; add levels between them, \
+             or records",
             below = told(below),
             above = told(above)
         ),
