@@ -12,6 +12,17 @@ type LineKind = (String, &'static str, Vec<Vec<(f64, f64)>>);
 /// Units: of lines that lead somewhere, how long and how far apart the heads of arrows are.
 const HEAD: f64 = 5.0;
 const HEADS_APART: f64 = 130.0;
+/// Baselines of a point's name below its dot, in the order in which they are tried.
+const BASELINES: [f64; 4] = [-6.0, 17.0, -20.0, 31.0];
+/// Height of the letters of a name.
+const LETTERS: f64 = 12.0;
+
+/// Left, top, right and bottom of a name.
+type Area = [f64; 4];
+
+fn overlap(a: &Area, b: &Area) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
 
 /// The map in the making.
 pub struct Frame {
@@ -239,10 +250,21 @@ impl Frame {
         if !self.leading.is_empty() {
             svg.hatching(&self.leading);
         }
+        self.points.iter().for_each(|(_, at)| svg.dot(*at));
+        let mut taken: Vec<Area> = Vec::new();
         for (name, at) in &self.points {
             // A name that would be cut off at the map's edge ends there.
             let reach = Svg::label_reach(name);
-            svg.label(*at, name, (at.0 + reach > width && reach < width).then_some(width));
+            let edge = (at.0 + reach > width && reach < width).then_some(width);
+            let left = edge.map_or(at.0, |edge| edge - reach);
+            // A name for which no place is free is left out: wider figures have it.
+            let places =
+                BASELINES.map(|below| (below, [left, at.1 + below - LETTERS, left + reach, at.1 + below]));
+            let free = |area: &Area| taken.iter().all(|other| !overlap(area, other));
+            if let Some((below, area)) = places.into_iter().find(|(_, area)| free(area)) {
+                svg.label(*at, name, edge, below);
+                taken.push(area);
+            }
         }
         svg.end_map();
         let across = Ticks::within(self.window.low[0], self.window.high[0], (width / 80.0) as usize);
@@ -282,6 +304,24 @@ mod tests {
                 "{x}: {text}"
             );
         }
+        // Names of points beside one another do not overlap; the fifth finds no place.
+        let mut frame = Frame::new(window(), (0.0, 1.0), (160.0, 120.0));
+        for (k, name) in ["crown", "left", "right", "roof", "floor"].into_iter().enumerate() {
+            frame.point(name, [10.0 + 0.1 * k as f64, 15.0]);
+        }
+        let mut svg = Svg::new(200.0);
+        frame.paint(&mut svg, (0.0, 0.0), false);
+        let drawn = svg.finish(150.0, "", "");
+        let height = |name: &str| {
+            let (text, _) = drawn.split_once(&format!(">{name}</text>"))?;
+            let (_, text) = text.rsplit_once(" y=\"")?;
+            text.split_once('"')?.0.parse::<f64>().ok()
+        };
+        let mut heights: Vec<f64> =
+            ["crown", "left", "right", "roof"].map(|name| height(name).unwrap()).into();
+        heights.sort_by(f64::total_cmp);
+        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] >= LETTERS), "{heights:?}");
+        assert_eq!(height("floor"), None);
         // On a map narrower than the name it stays, cut off or not.
         let mut frame = Frame::new(window(), (0.0, 1.0), (16.0, 12.0));
         frame.point("monitor 12", [39.0, 15.0]);

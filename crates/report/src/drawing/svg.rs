@@ -199,20 +199,26 @@ impl Svg {
         ASIDE + text_width(name, NAMED) + 2.0
     }
 
-    /// A named dot on a map, legible on any colour; its name stands to the right and above, or ends at an edge.
-    pub fn label(&mut self, at: (f64, f64), name: &str, edge: Option<f64>) {
+    /// A dot on a map.
+    pub fn dot(&mut self, at: (f64, f64)) {
+        self.put(format_args!(
+            "<circle cx=\"{0}\" cy=\"{1}\" r=\"4\" fill=\"#fff\" stroke=\"#1f2933\" stroke-width=\"1.6\"/>",
+            Short(at.0),
+            Short(at.1),
+        ));
+    }
+
+    /// The name of a dot on a map, legible on any colour: to the right of the dot, or ending at an edge, its baseline so far below it.
+    pub fn label(&mut self, at: (f64, f64), name: &str, edge: Option<f64>, below: f64) {
         let (x, anchor) = match edge {
             Some(edge) => (edge - 2.0, " text-anchor=\"end\""),
             None => (at.0 + ASIDE, ""),
         };
         self.put(format_args!(
-            "<circle cx=\"{0}\" cy=\"{1}\" r=\"4\" fill=\"#fff\" stroke=\"#1f2933\" stroke-width=\"1.6\"/>\
-             <text x=\"{2}\" y=\"{3}\"{4} font-size=\"{NAMED}\" font-weight=\"600\" fill=\"#1f2933\" stroke=\"#fff\" \
-             stroke-width=\"3.5\" paint-order=\"stroke\">{5}</text>",
-            Short(at.0),
-            Short(at.1),
+            "<text x=\"{0}\" y=\"{1}\"{2} font-size=\"{NAMED}\" font-weight=\"600\" fill=\"#1f2933\" stroke=\"#fff\" \
+             stroke-width=\"3.5\" paint-order=\"stroke\">{3}</text>",
             Short(x),
-            Short(at.1 - 6.0),
+            Short(at.1 + below),
             anchor,
             escape(name)
         ));
