@@ -38,6 +38,9 @@ pub struct MaterialFacts {
 pub struct MaterialGroup {
     /// Names of the groups.
     pub names: String,
+    /// What messages, tables and figures call it: its groups, or its material with the first of many. Empty in files of older versions.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub body: String,
     /// Number of elements.
     pub elements: u64,
     /// `one-point` or `full`.

@@ -121,7 +121,7 @@ fn relaxed(job: &Job) -> Vec<Relaxed> {
         return Vec::new();
     }
     let of_material = |(name, facts): (&String, &MaterialFacts)| {
-        let made = |body: &&Body| facts.groups.iter().any(|group| group.names == body.name);
+        let made = |body: &&Body| facts.groups.iter().any(|group| group.body == body.name);
         let share = job.model.user_bodies().iter().find(made)?.material.band()?.relaxed();
         let young = facts.values.iter().find(|v| v.name == "young").map(|v| [v.value, share * v.value]);
         Some(Relaxed { material: name.clone(), share, young })

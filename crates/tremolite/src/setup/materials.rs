@@ -1,6 +1,6 @@
 //! What reports say of the materials: what was given, what was filled in, what the laws made of it.
 
-use super::undrained;
+use super::{regions, undrained};
 use crate::phrases::clauses;
 use crate::units::unit;
 use indexmap::IndexMap;
@@ -27,16 +27,20 @@ pub fn facts(
     let damping = damping(case, reference);
     let mut all: IndexMap<String, MaterialFacts> = IndexMap::new();
     let solid = case.regions.iter().filter_map(|r| match &r.fill {
-        Fill::Solid { material, .. } => Some(&case.materials[material.value]),
+        Fill::Solid { material, .. } => Some((r, &case.materials[material.value])),
         _ => None,
     });
-    let of_regions = bodies.iter().zip(solid);
-    let told = of_regions.chain(more.iter().map(|&(body, of)| (&bodies[body], &case.materials[of])));
-    let told: Vec<(&Body, &Material)> = told.collect();
-    for &(body, material) in &told {
+    let of_regions = bodies.iter().zip(solid).map(|(body, (region, material))| {
+        let names = regions::groups(mesh, region).join(", ");
+        (body, material, names)
+    });
+    let others =
+        more.iter().map(|&(body, of)| (&bodies[body], &case.materials[of], bodies[body].name.clone()));
+    let told: Vec<(&Body, &Material, String)> = of_regions.chain(others).collect();
+    for &(body, material, ref names) in &told {
         let facts = all.entry(material.name.value.clone()).or_insert_with(|| {
-            let made_of_it = told.iter().filter(|(_, m)| m.name.value == material.name.value);
-            let elements: Vec<u32> = made_of_it.flat_map(|(body, _)| &body.elements).copied().collect();
+            let made_of_it = told.iter().filter(|(_, m, _)| m.name.value == material.name.value);
+            let elements: Vec<u32> = made_of_it.flat_map(|(body, ..)| &body.elements).copied().collect();
             let law = laws.iter().find(|l| l.info.name == material.law.value);
             let parameters = law.map_or(&[][..], |l| l.info.parameters);
             let (wave_speed_p, wave_speed_s) = body.material.moduli().wave_speeds(body.density);
@@ -57,7 +61,8 @@ pub fn facts(
             }
         });
         facts.groups.push(MaterialGroup {
-            names: body.name.clone(),
+            names: names.clone(),
+            body: body.name.clone(),
             elements: body.elements.len() as u64,
             element: match body.quadrature {
                 Quadrature::OnePoint => "one-point".into(),

@@ -102,7 +102,7 @@ pub fn body(
         Ok(built) => {
             problems.extend(oversized(case, mesh, &elements, material, &built));
             Some(Body {
-                name: name(mesh, region),
+                name: name(mesh, region, &material.name.value),
                 elements,
                 material: built,
                 density: material.density.value,
@@ -158,8 +158,21 @@ const DAMAGING_VISCOSITY: f64 = 0.06;
 /// More leaves less than two thirds of the step.
 const MOST_VISCOSITY: f64 = 0.5;
 
+/// Groups by which a body is called; of more it is called by its material.
+const CALLED_BY: usize = 3;
+
+/// What a region's body is called: its groups, or its material with the first of many.
+fn name(mesh: &Mesh, region: &Region, material: &str) -> String {
+    match &groups(mesh, region)[..] {
+        [first, more @ ..] if more.len() >= CALLED_BY => {
+            format!("{material} ({first} and {} more groups)", more.len())
+        }
+        few => few.join(", "),
+    }
+}
+
 /// The groups that a region's patterns fit, without those that others of them hold.
-fn name(mesh: &Mesh, region: &Region) -> String {
+pub fn groups<'m>(mesh: &'m Mesh, region: &Region) -> Vec<&'m str> {
     let fits = |name: &str| region.groups.iter().any(|pattern| pattern::matches(pattern, name));
     let groups: Vec<(&String, &Vec<u32>)> = mesh.groups.iter().filter(|(name, _)| fits(name)).collect();
     let held = |k: usize| {
@@ -169,8 +182,7 @@ fn name(mesh: &Mesh, region: &Region) -> String {
             larger && inner.iter().all(|e| outer.binary_search(e).is_ok())
         })
     };
-    let names: Vec<&str> = (0..groups.len()).filter(|&k| !held(k)).map(|k| groups[k].0.as_str()).collect();
-    names.join(", ")
+    (0..groups.len()).filter(|&k| !held(k)).map(|k| groups[k].0.as_str()).collect()
 }
 
 /// A limit of size \[m\] below this is no concrete's: 1 m and more is.
@@ -248,7 +260,7 @@ fn finer(case: &Case, limit: f64, extent: f64) -> String {
     };
     format!(
         "{how}; or give that energy up: `ultimate_strain_ratio` in place of `fracture_energy`, with evolution = \"residual\"; what a crack \
-         takes then grows with the element"
+         takes then grows with the element; or judge an elastic lining by `[[section]]`"
     )
 }
 

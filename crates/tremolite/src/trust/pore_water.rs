@@ -95,7 +95,7 @@ fn drainage(evidence: &Evidence) -> TrustLine {
 
 /// c_v \[m²/s\] of a body's material, where it is known.
 fn diffusivity(evidence: &Evidence, body: &str) -> Option<f64> {
-    let made_of = |facts: &&MaterialFacts| facts.groups.iter().any(|group| group.names == body);
+    let made_of = |facts: &&MaterialFacts| facts.groups.iter().any(|group| group.body == body);
     let values = &evidence.materials.values().find(made_of)?.values;
     values.iter().find(|value| value.name == DIFFUSIVITY).map(|value| value.value)
 }

@@ -206,3 +206,32 @@ fn one_layer_of_2x2x2_points_is_warned_of_and_layers_are_as_many_as_there_are() 
     let refused = said("");
     assert!(refused.contains("must say how its elements are integrated"), "{refused}");
 }
+
+/// A region of many groups makes a body that is called by its material; the material lists all of them.
+#[test]
+fn a_body_of_many_groups_is_called_by_its_material() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = case(folder.path(), "200 N/m", "1.2 MPa", "damage").source;
+    let made = |parts: usize| {
+        let part = |k: usize| {
+            let (low, high) = (3 * k, 3 * (k + 1));
+            format!("[[mesh.box.part]]\ngroup = \"layer{k}\"\nz = [\"{low} m\", \"{high} m\"]\n")
+        };
+        let all: String = (0..parts).map(part).collect();
+        let text = text
+            .replace("elements = 3 }", "elements = 6 }")
+            .replace("[material.weak]", &format!("{all}[material.weak]"))
+            .replace("groups = [\"rock\"]", "groups = [\"rock\", \"layer*\"]");
+        let infos: Vec<LawInfo> = laws().iter().map(|l| l.info).collect();
+        let case =
+            Case::parse(&folder.path().join("case.toml"), &text, &infos).unwrap_or_else(|e| panic!("{e}"));
+        setup(&case, &Laws::default(), Isa::best()).unwrap_or_else(|e| panic!("{e}"))
+    };
+    let few = made(2);
+    assert_eq!(few.problem.bodies[0].name.split(", ").count(), 3);
+    assert_eq!(few.materials["weak"].groups[0].names, few.problem.bodies[0].name);
+    let many = made(5);
+    let (name, group) = (&many.problem.bodies[0].name, &many.materials["weak"].groups[0]);
+    assert!(name.starts_with("weak (") && name.ends_with(" and 5 more groups)"), "{name}");
+    assert_eq!((&group.body, group.names.split(", ").count()), (name, 6));
+}

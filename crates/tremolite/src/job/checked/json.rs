@@ -12,9 +12,16 @@ impl Checked<'_> {
         let (survey, steps) = (&job.survey, job.steps);
         let groups: Map<String, Value> =
             job.groups.iter().map(|(name, elements)| (name.clone(), json!(elements))).collect();
+        let of_materials: Vec<_> = job.materials.values().flat_map(|facts| &facts.groups).collect();
+        let groups_of = |name: &str| {
+            of_materials
+                .iter()
+                .find(|group| group.body == name)
+                .map_or(name.to_owned(), |group| group.names.clone())
+        };
         let regions = survey.bodies.iter().map(|body| {
             json!({
-                "groups": body.name, "law": body.law, "elements": body.elements,
+                "groups": groups_of(&body.name), "law": body.law, "elements": body.elements,
                 "could_run_at": body.element_step, "elements_per_wavelength": body.per_wavelength,
             })
         });

@@ -8,9 +8,9 @@ use tremolite_engine::Stage;
 use tremolite_results::MaterialFacts;
 
 impl Checked<'_> {
-    /// The material of a body, which is called by its groups.
+    /// The material of a body.
     pub fn material_of<'a>(&'a self, body: &'a str) -> &'a str {
-        let made = |facts: &MaterialFacts| facts.groups.iter().any(|group| group.names == body);
+        let made = |facts: &MaterialFacts| facts.groups.iter().any(|group| group.body == body);
         self.job.materials.iter().find(|(_, facts)| made(facts)).map_or(body, |(name, _)| name)
     }
 
