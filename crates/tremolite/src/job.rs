@@ -14,6 +14,7 @@ pub mod warnings;
 pub use crate::setup::Inputs;
 pub use begun::{Begun, Caller};
 pub use checked::{Checked, Relaxed, diagnostics};
+use fault::once;
 pub use fault::{Fault, Remark, Why};
 pub use loaded::{Given, Loaded};
 pub use oversize::oversized;
@@ -184,7 +185,7 @@ impl Job {
             warnings::of_pairs(&case, &model, &plan),
             warnings::of_bolts(&case, &model, &plan),
         ];
-        let of_case = [case.warnings.clone(), setup.warnings].concat();
+        let of_case = once([case.warnings.clone(), setup.warnings].concat());
         let job = Job {
             case,
             plan,

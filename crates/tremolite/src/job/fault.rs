@@ -1,5 +1,6 @@
 //! What is said of a case before it runs: why it cannot, and what is unusual though it can.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 use tremolite_case::{Case, Diagnostic, Report, Side};
 use tremolite_engine::ModelError;
@@ -18,7 +19,7 @@ pub enum Remark {
 impl Remark {
     /// What one look found; nothing where that was nothing.
     pub(super) fn of(case: &Case, problems: &[Diagnostic]) -> Option<Remark> {
-        (!problems.is_empty()).then(|| Remark::Problems(case.report(problems.to_vec()).as_warnings()))
+        (!problems.is_empty()).then(|| Remark::Problems(case.report(once(problems.to_vec())).as_warnings()))
     }
 
     /// The text for the terminal; with ANSI colours only if asked.
@@ -31,6 +32,13 @@ impl Remark {
             Remark::Changed(what) => format!("warning: {what}"),
         }
     }
+}
+
+/// Problems without those whose text an earlier one has: what holds of several stages is told once, at the first.
+pub(super) fn once(problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut told = HashSet::new();
+    let first = |problem: &Diagnostic| told.insert((problem.message.clone(), problem.remedy.clone()));
+    problems.into_iter().filter(first).collect()
 }
 
 /// Why a case is no job.

@@ -246,8 +246,10 @@ fn tied(
             let [tight, rock] = [own, beside].map(|body| &space.bodies[body].name);
             Diagnostic::at(
                 &case.stages[stage - 1].name,
-                format!("'{tight}' is tied to '{rock}', whose water changes here: no water comes between them, and it misses the head outside"),
-                "put an [[interface]] without a bond between them: a lining then carries the head; tied it is even pulled by a rise",
+                format!(
+                    "'{tight}' is watertight and bonded to '{rock}': it does not feel the water behind it"
+                ),
+                "if it drains, name it in `drained`; if it holds water, give it an unbonded [[interface]]",
             )
         });
     }

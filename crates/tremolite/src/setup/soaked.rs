@@ -213,9 +213,9 @@ fn tied(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic> {
             let told_of = Diagnostic::at(
                 level,
                 format!(
-                    "'{tight}' is tied to '{rock}', whose water changes here: no water comes between them, and it misses the head outside"
+                    "'{tight}' is watertight and bonded to '{rock}': it does not feel the water behind it"
                 ),
-                "put an [[interface]] without a bond between them: a lining then carries the head; tied it is even pulled by a rise",
+                "if it holds water, give it an unbonded [[interface]]: it then carries the head",
             );
             told.insert([own, beside], told_of);
         }

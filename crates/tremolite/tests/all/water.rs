@@ -225,7 +225,7 @@ fn told(text: &str) -> Vec<String> {
 #[test]
 fn openings_below_the_level_and_linings_tied_to_wet_rock_are_warned_of() {
     let has = |said: &[String], words: &str| said.iter().any(|one| one.contains(words));
-    let (below, tied) = ("takes out ground below the water level", "no water comes between them");
+    let (below, tied) = ("takes out ground below the water level", "it does not feel the water behind it");
     let said = told(HALL);
     assert!(!has(&said, below) && has(&said, tied), "{said:?}");
     // Without a drawdown where it is dug; and what stands at the same level all along is no matter.
