@@ -67,6 +67,20 @@ impl TrustLine {
         TrustLine { bound: Bound::AtLeast, pass, ..Self::line(id.into(), name, value, limit, unit) }
     }
 
+    /// A line that passes if the share of a part in a whole is at most the limit. It does not apply where both are 0, with the reason.
+    pub fn share_at_most(
+        id: impl Into<String>,
+        name: Said,
+        [part, whole]: [f64; 2],
+        limit: f64,
+        why: Said,
+    ) -> Self {
+        match part == 0.0 && whole == 0.0 {
+            true => Self::not_applicable(id, name, why),
+            false => Self::at_most(id, name, part / whole, limit, ""),
+        }
+    }
+
     /// A line that cannot be judged, with the reason. Its `pass` is true, so that no reader takes it for a warning.
     pub fn not_applicable(id: impl Into<String>, name: Said, why: Said) -> Self {
         let line = Self::line(id.into(), name, f64::NAN, f64::NAN, "").with_note(why);

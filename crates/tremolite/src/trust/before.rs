@@ -56,10 +56,12 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let largest = stages[1..].iter().map(|stage| stage.largest_motion).fold(0.0, f64::max);
     let excavates = stages[1..].iter().any(|stage| !stage.excavated.is_empty());
     let initial = if excavates {
-        TrustLine::at_most(INITIAL_ID, initial_name(), first.largest_motion / largest, INITIAL, "")
-            .with("initial", first.largest_motion)
-            .with("largest", largest)
-            .with_note(fits())
+        let share = [first.largest_motion, largest];
+        let line = TrustLine::share_at_most(INITIAL_ID, initial_name(), share, INITIAL, still());
+        match line.not_applicable {
+            true => line,
+            false => line.with("initial", first.largest_motion).with("largest", largest).with_note(fits()),
+        }
     } else {
         TrustLine::not_applicable(INITIAL_ID, initial_name(), said!("no stage that came to rest excavates"))
     };
@@ -68,10 +70,15 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let place = |element: u32| places::element_beside(evidence.model, element);
     let uneven = match (beginning, uneven(memory)) {
         (Some(found), Some((initial, later))) if excavates => {
-            TrustLine::at_most(UNEVEN_ID, uneven_name(), initial / later, INITIAL, "")
-                .with("initial", initial)
-                .with("largest", later)
-                .with_note(said!("at {place}; {remedy}", place = place(found.uneven_at), remedy = fits()))
+            let line = TrustLine::share_at_most(UNEVEN_ID, uneven_name(), [initial, later], INITIAL, still());
+            match line.not_applicable {
+                true => line,
+                false => line.with("initial", initial).with("largest", later).with_note(said!(
+                    "at {place}; {remedy}",
+                    place = place(found.uneven_at),
+                    remedy = fits()
+                )),
+            }
         }
         _ => {
             TrustLine::not_applicable(UNEVEN_ID, uneven_name(), said!("no stage that came to rest excavates"))
@@ -105,6 +112,11 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         _ => TrustLine::not_applicable(CHANGE_ID, change_name(), said!("the ground begins without stress")),
     };
     vec![held, initial, uneven, change, local]
+}
+
+/// Why motion of nothing has no share.
+fn still() -> Said {
+    said!("nothing moved in the initial equilibrium and in the stages")
 }
 
 /// What to look at where the initial stress does not fit.

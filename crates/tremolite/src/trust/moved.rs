@@ -56,7 +56,11 @@ fn slow(evidence: &Evidence) -> TrustLine {
     let Some((work, damped)) = damped(&evidence.outcome.state.observers) else {
         return TrustLine::not_applicable(ID, name, said!("no stage moved anything"));
     };
-    TrustLine::at_most(ID, name, damped / work, MOST, "").with("work", work).with("damped", damped).with_note(said!(
+    let line = TrustLine::share_at_most(ID, name, [damped, work], MOST, said!("no stage moved anything"));
+    if line.not_applicable {
+        return line;
+    }
+    line.with("work", work).with("damped", damped).with_note(said!(
         "what is moved too fast for a mesh pulls harder than at rest, and cracks beside its crack: more `release_cycles`, of which a \
          step that moves nodes takes five times as many"
     ))

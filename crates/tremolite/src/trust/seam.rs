@@ -118,6 +118,9 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let (impacts_id, impacts_name) =
         (id("interface_impacts"), name(said!("energy error of impacts over energy supplied")));
     let impacts = match evidence.outcome.shaken {
+        true if gained == 0.0 && supplied == 0.0 => {
+            TrustLine::not_applicable(impacts_id, impacts_name, said!("no energy was supplied"))
+        }
         true => TrustLine::at_most(impacts_id, impacts_name, gained / supplied, IMPACTS, "")
             .with("impact_gain", gained)
             .with("supplied", supplied)
