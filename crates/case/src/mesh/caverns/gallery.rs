@@ -16,7 +16,7 @@ pub(super) static GALLERY: Table = Table {
         Key::required(
             "at",
             Kind::List(&COORDINATE, 2, 2),
-            "middle in y, and floor in z above the first cavern's floor: on the foot of a wall, or on it and below the springing",
+            "middle in y, and floor in z above the first cavern's floor: at 0 its floor is level with the cavern's; else anywhere on the straight wall below the springing",
         ),
         Key::required("width", LENGTH, "width along y"),
         Key::required("height", LENGTH, "height"),
