@@ -46,6 +46,11 @@ def test_tables_are_data_frames_and_streams_where_these_are_there(result):
 
 def test_summary_verdict_and_trust_are_objects(result):
     assert result.status == "done" and result.verdict.startswith("The run reached its end")
+    # A column of rock has no lining.
+    assert result.state.class_ == result.summary.state["class"] == "not_judged"
+    assert result.state.reasons[0].item == "no_lining" and result.state.reasons[0].text.startswith("The run has no lining")
+    assert result.reliance.class_ in ("sound", "with_reservations", "not_to_be_used")
+    assert "State: not judged. Reliance: " in result.verdict
     assert result.summary.model.elements == result.summary["model"]["elements"] == 10
     assert result.trust["free_field_theory"].pass_ is True
     assert all(not line.pass_ for line in result.trust.failed)

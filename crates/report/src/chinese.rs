@@ -2,6 +2,7 @@
 //!
 //! Terms follow GB/T 50279 (hydraulic engineering) and GB/T 50083 (structures) where they have one.
 
+mod assessment;
 mod bolts;
 mod checked;
 mod compare;
@@ -35,6 +36,7 @@ pub type Texts = &'static [(&'static str, &'static str)];
 
 /// All of them.
 pub const TABLES: &[Texts] = &[
+    assessment::TEXTS,
     bolts::TEXTS,
     checked::TEXTS,
     compare::TEXTS,

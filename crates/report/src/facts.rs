@@ -15,6 +15,7 @@ use crate::language::{Language, say};
 use crate::quantities::scale::{count, figures, quantity, span, trimmed};
 use crate::quantities::units::Kind;
 use crate::source::Source;
+use crate::verdict::{assessment, reliance_class};
 
 /// An outcome at the top of the page.
 #[derive(Serialize)]
@@ -67,26 +68,24 @@ pub fn outcome(source: &Source) -> Outcome {
         return Outcome { class: "warn", headline, text: told(language, &Said::default(), &why) };
     };
     let (judged, warnings) = (summary.judged(), summary.warnings());
-    let (class, headline) = match summary.conclusion.status {
-        Status::Failed => ("bad", say!(language, "Run: failed")),
-        Status::Stopped => ("warn", say!(language, "Run: stopped before its end")),
-        Status::Done if judged == 0 => ("warn", say!(language, "Run: done, but nothing was checked")),
+    let headline = match summary.conclusion.status {
+        Status::Failed => say!(language, "Run: failed"),
+        Status::Stopped => say!(language, "Run: stopped before its end"),
+        Status::Done if judged == 0 => say!(language, "Run: done, but nothing was checked"),
         Status::Done if warnings == 0 => {
-            ("good", say!(language, "Run: all {judged} checks pass", judged = judged))
+            say!(language, "Run: all {judged} checks pass", judged = judged)
         }
         Status::Done if warnings == 1 => {
-            ("warn", say!(language, "Run: done, 1 of {judged} checks warns", judged = judged))
+            say!(language, "Run: done, 1 of {judged} checks warns", judged = judged)
         }
-        Status::Done => {
-            let text = say!(
-                language,
-                "Run: done, {warnings} of {judged} checks warn",
-                warnings = warnings,
-                judged = judged
-            );
-            ("warn", text)
-        }
+        Status::Done => say!(
+            language,
+            "Run: done, {warnings} of {judged} checks warn",
+            warnings = warnings,
+            judged = judged
+        ),
     };
+    let class = reliance_class(&assessment(source));
     let text = if summary.conclusion.outcome.is_empty() {
         &summary.conclusion.verdict
     } else {

@@ -87,19 +87,16 @@ pub fn write(dir: &Path) -> Result<PathBuf, Error> {
     set(&Source::read(dir, None)?)
 }
 
-/// As [`write()`], and what the page says first, in English: its question, the answer, and whether limits of acceptance are met.
+/// As [`write()`], and the page's first two lines, in English: state and reliance, with their reasons.
 ///
 /// # Errors
 /// As of [`write()`].
-pub fn write_answering(dir: &Path) -> Result<(PathBuf, String), Error> {
+pub fn write_answering(dir: &Path) -> Result<(PathBuf, [String; 2]), Error> {
     let mut source = Source::read(dir, None)?;
     let page = set(&source)?;
     source.language = Language::English;
-    let verdict::Verdict { question, answer, .. } = verdict::verdict(&source);
-    let held = sheets::limits::verdict(source.language, &sheets::limits::rows(&source, &source.facts()));
-    let all = [question, answer, held.map(|(_, held)| held).unwrap_or_default()];
-    let said: Vec<&str> = all.iter().map(String::as_str).filter(|text| !text.is_empty()).collect();
-    Ok((page, said.join(" ")))
+    let verdict::Verdict { state, reliance, .. } = verdict::verdict(&source);
+    Ok((page, [state.line(), reliance.line()]))
 }
 
 /// As [`write()`], in another language than the case asks for.

@@ -29,9 +29,6 @@ pub struct Sheets {
     limits: Vec<LimitRow>,
     /// That some are not met; empty where all are.
     beyond: String,
-    /// The same for the verdict, with its colour; empty where there are none.
-    held: String,
-    held_class: &'static str,
     /// What to say where there are none.
     unlimited: String,
     earthquake: Vec<Fact>,
@@ -87,10 +84,7 @@ pub fn sheets(source: &Source, summary: &Summary, sections: &[Placed]) -> Sheets
     let limits = limits::rows(source, summary);
     let warns: Vec<Check> =
         facts::checks(language, summary).into_iter().filter(|check| check.class == "fail").collect();
-    let (held_class, held) = limits::verdict(language, &limits).unwrap_or_default();
     Sheets {
-        held,
-        held_class,
         project: summary.case.report.project.clone(),
         dated: dated(language, summary),
         unlimited: match limits.is_empty() {

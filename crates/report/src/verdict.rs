@@ -1,4 +1,4 @@
-//! The verdict: whether the lining stands, in five lines at most, from what the summary found.
+//! The verdict: state and reliance in a line each, and five lines at most of what the summary found.
 
 pub mod short_names;
 mod strength;
@@ -6,23 +6,24 @@ pub mod surroundings;
 mod widest;
 
 use serde::Serialize;
-use tremolite_results::{Cracks, Finding, GroupDamage, Severity, Status, Summary};
+use tremolite_results::assessment::Class;
+use tremolite_results::{
+    Assessment, Finding, GroupDamage, Reliance, Said, Severity, State, Summary, assess, said,
+};
 
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, moment};
 use crate::quantities::units::Kind;
 use crate::source::Source;
 use crate::source::monitor_pairs::held;
-use crate::verdict::short_names::{CHECK, NAME, percent, short};
-use crate::verdict::surroundings::{around, of_rock, yielded};
+use crate::verdict::short_names::{NAME, percent, short};
+use crate::verdict::surroundings::{around, of_rock};
 use crate::verdict::widest::widest;
 
-/// Lines that the verdict may have.
+/// Lines that the verdict may have below its two classes.
 const LINES: usize = 5;
 /// Linings that have a line each; further ones share the last.
 const ALONE: usize = 2;
-/// Checks that warn and are named.
-const WARNINGS: usize = 3;
 /// Parts of a lining, crown and walls, of which each is told.
 const PARTS: usize = 3;
 
@@ -33,10 +34,29 @@ const CRACKED: &str = "d_tension";
 #[derive(Serialize)]
 pub struct Verdict {
     pub question: String,
-    pub answer: String,
-    /// `good`, `warn`, `bad`, or `plain` where no earthquake has asked: the colour of the answer.
+    /// `good`, `warn` or `bad`: the worse colour of both classes.
     pub class: &'static str,
+    pub state: VerdictClass,
+    pub reliance: VerdictClass,
     pub lines: Vec<VerdictLine>,
+}
+
+/// A class of the verdict with its colour and its reasons.
+#[derive(Serialize)]
+pub struct VerdictClass {
+    pub class: &'static str,
+    /// Which of the two it is, up to the word.
+    pub label: String,
+    pub word: String,
+    /// The reasons, after the word.
+    pub text: String,
+}
+
+impl VerdictClass {
+    /// As the end of a run says it.
+    pub fn line(&self) -> String {
+        format!("{}{}{}", self.label, self.word, self.text).trim_end().to_owned()
+    }
 }
 
 /// A fact of the verdict with its colour.
@@ -46,13 +66,21 @@ pub struct VerdictLine {
     pub text: String,
 }
 
+/// State and reliance of a run, by its result files.
+pub fn assessment(source: &Source) -> Assessment {
+    match &source.summary {
+        Ok(summary) => assess(summary, source.monitors.as_ref().ok()),
+        Err(_) => Assessment::default(),
+    }
+}
+
 /// The verdict of a run.
 pub fn verdict(source: &Source) -> Verdict {
     let facts = source.facts();
     let language = source.language;
-    let mut lines = vec![run(source, &facts)];
     let linings = linings(&facts);
-    lines.extend(linings.iter().take(ALONE).map(|finding| in_full(source, &facts, finding)));
+    let alone = linings.iter().take(ALONE);
+    let mut lines: Vec<VerdictLine> = alone.map(|finding| in_full(source, &facts, finding)).collect();
     if let [next, ..] = linings.get(ALONE..).unwrap_or_default() {
         let count = linings.len() - ALONE;
         let next = lining(source, &facts, next);
@@ -69,23 +97,63 @@ pub fn verdict(source: &Source) -> Verdict {
     lines.extend(within(room, around(language, &facts), language));
     lines.extend(relative(source, &facts));
     lines.truncate(LINES);
-    let (class, answer) = answer(source, &linings, yielding(source, &facts));
-    let crushed = linings.iter().filter_map(|finding| finding.numbers.get("share_crushed_or_sheared"));
-    let crushed = crushed.copied().fold(0.0, f64::max);
-    let answer = match crushed > 0.0 && source.summary.is_ok() {
-        true => say!(
-            language,
-            "{answer} Concrete is crushed or sheared in up to {share} of a lining's volume.",
-            answer = answer,
-            share = percent(crushed)
-        ),
-        false => answer,
-    };
     let question = match source.still() {
         Some(_) => say!(language, "Is the lining whole when the stages are done?"),
         None => say!(language, "Does the lining withstand the earthquake?"),
     };
-    Verdict { question, answer, class, lines }
+    let found = assessment(source);
+    let [state, reliance] = classes(source, &facts, &found);
+    let worse = |a: &'static str, b: &'static str| if rank(b) > rank(a) { b } else { a };
+    Verdict { question, class: worse(state.class, reliance.class), state, reliance, lines }
+}
+
+/// Colours, the worst last.
+fn rank(class: &str) -> usize {
+    ["good", "warn", "bad"].iter().position(|known| *known == class).unwrap_or(0)
+}
+
+/// Both classes with their reasons, in the page's language.
+fn classes(source: &Source, facts: &Summary, found: &Assessment) -> [VerdictClass; 2] {
+    let language = source.language;
+    let text = |reasons: Vec<Said>| {
+        let texts: Vec<String> =
+            reasons.iter().map(|said| language.tell_or(said, &said.to_string())).collect();
+        say!(language, ". ") + &language.joined(&texts)
+    };
+    let none = || vec![said!("There is no summary of the run.")];
+    let known = source.summary.is_ok();
+    let state = VerdictClass {
+        class: match found.state.class {
+            State::Withstands => "good",
+            State::NotJudged | State::Damaged => "warn",
+            State::Fails => "bad",
+        },
+        label: say!(language, "State: "),
+        word: word(language, found.state.class),
+        text: text(if known { found.why_state(facts) } else { none() }),
+    };
+    let reliance = VerdictClass {
+        class: reliance_class(found),
+        label: say!(language, "Reliance: "),
+        word: word(language, found.reliance.class),
+        text: text(if known { found.why_reliance(facts) } else { none() }),
+    };
+    [state, reliance]
+}
+
+/// The colour of the reliance.
+pub fn reliance_class(found: &Assessment) -> &'static str {
+    match found.reliance.class {
+        Reliance::Sound => "good",
+        Reliance::WithReservations => "warn",
+        Reliance::NotToBeUsed => "bad",
+    }
+}
+
+/// A class in words.
+pub fn word<C: Class>(language: Language, class: C) -> String {
+    let words = class.words();
+    language.tell_or(&words, &words.to_string())
 }
 
 fn class(severity: Severity) -> &'static str {
@@ -108,135 +176,6 @@ fn linings(facts: &Summary) -> Vec<&Finding> {
     let share = |finding: &Finding| finding.numbers.get("share_cracked").copied().unwrap_or(0.0);
     all.sort_by(|a, b| (b.severity as u8).cmp(&(a.severity as u8)).then(share(b).total_cmp(&share(a))));
     all
-}
-
-/// Of the linings whose law cannot crack that which has yielded most: a lining is what section forces were taken of.
-fn yielding<'a>(source: &Source, facts: &'a Summary) -> Option<&'a Finding> {
-    let rows = source.sections.as_ref()?.as_ref().ok()?;
-    let lining = |finding: &&Finding| rows.iter().any(|row| row.lining == finding.group);
-    let share = |finding: &Finding| {
-        let shares = finding.numbers.iter().filter(|(name, _)| name.starts_with("share_yielded"));
-        shares.map(|(_, share)| *share).fold(0.0, f64::max)
-    };
-    let all = facts.conclusion.findings.iter().filter(|finding| of_rock(finding)).filter(lining);
-    let all = all.map(|finding| (finding, share(finding))).filter(|(_, share)| *share > 0.0);
-    all.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(finding, _)| finding)
-}
-
-/// `yielding` is a lining that cannot crack but has yielded.
-fn answer(source: &Source, linings: &[&Finding], yielding: Option<&Finding>) -> (&'static str, String) {
-    let language = source.language;
-    let Ok(summary) = &source.summary else {
-        return ("warn", say!(language, "Cannot be said: there is no summary of the run."));
-    };
-    // Beside linings that can crack and have not, one that cannot may be asked for more than it bears.
-    let first = linings.first().map(|finding| finding.severity);
-    if let (Status::Done, Some(Severity::Undamaged), Some(answer)) =
-        (summary.conclusion.status, first, strength::answer(source, summary))
-        && answer.0 == "bad"
-    {
-        return answer;
-    }
-    let yielded = yielding.map(|finding| yielded(language, summary, finding));
-    match (summary.conclusion.status, linings.first().map(|finding| finding.severity), yielded) {
-        (Status::Failed, ..) => ("bad", say!(language, "Cannot be said: the run failed.")),
-        (Status::Stopped, Some(Severity::Through), _) => {
-            ("bad", say!(language, "The run has not ended, and cracks already run through its thickness."))
-        }
-        (Status::Stopped, ..) => ("warn", say!(language, "Cannot be said yet: the run has not ended.")),
-        (Status::Done, None, Some(yielded)) => {
-            ("warn", say!(language, "Not judged by cracks. {yielded}", yielded = yielded))
-        }
-        (Status::Done, None, None) => match strength::answer(source, summary) {
-            Some(answer) => answer,
-            None => ("warn", say!(language, "Not judged: no structure of this run can crack.")),
-        },
-        (Status::Done, Some(Severity::Through), _) if linings.iter().any(|lining| is_loose(lining)) => (
-            "bad",
-            say!(
-                language,
-                "It is damaged: cracks run through its thickness, and pieces have come loose. This model cannot say whether they fall."
-            ),
-        ),
-        (Status::Done, Some(Severity::Through), _) => {
-            ("bad", say!(language, "It is damaged: cracks run through its thickness."))
-        }
-        (Status::Done, Some(Severity::Damaged), _) => {
-            ("warn", say!(language, "It is cracked, but no crack runs through its thickness."))
-        }
-        (Status::Done, Some(Severity::Undamaged), Some(yielded)) => {
-            ("warn", say!(language, "It has not cracked, but it has yielded. {yielded}", yielded = yielded))
-        }
-        (Status::Done, Some(Severity::Undamaged), _) if summary.warnings() > 0 || summary.judged() == 0 => {
-            ("warn", say!(language, "The computation shows no damage, but some checks warn."))
-        }
-        (Status::Done, Some(Severity::Undamaged), _) if source.still().is_some() => {
-            ("plain", say!(language, "It is undamaged; no earthquake has come."))
-        }
-        (Status::Done, Some(Severity::Undamaged), _) => ("good", say!(language, "It is undamaged.")),
-    }
-}
-
-/// How the run went, and whether it can be trusted.
-fn run(source: &Source, facts: &Summary) -> VerdictLine {
-    let language = source.language;
-    if source.summary.is_err() {
-        return VerdictLine {
-            class: "warn",
-            text: say!(language, "The run left no summary, so nothing is checked."),
-        };
-    }
-    let (judged, warnings) = (facts.judged(), facts.warnings());
-    let passed = judged - warnings.min(judged);
-    let (class, text) = match facts.conclusion.status {
-        Status::Failed => ("bad", say!(language, "The run failed: what follows is not to be trusted.")),
-        Status::Stopped => ("warn", say!(language, "The run was stopped before its end.")),
-        Status::Done if judged == 0 => ("warn", say!(language, "The run is done, but nothing was checked.")),
-        Status::Done if warnings == 0 => (
-            "good",
-            say!(
-                language,
-                "{passed} of {judged} checks of the run pass: none warns.",
-                passed = passed,
-                judged = judged
-            ),
-        ),
-        Status::Done => ("warn", warned(source, facts, passed, judged)),
-    };
-    VerdictLine { class, text }
-}
-
-/// That checks warn, and which.
-fn warned(source: &Source, facts: &Summary, passed: usize, judged: usize) -> String {
-    let language = source.language;
-    let warn = facts.soundness.trust.iter().filter(|line| !line.pass && !line.not_applicable);
-    let names: Vec<String> =
-        warn.map(|line| short(&language.tell_or(&line.name_said, &line.name), CHECK)).collect();
-    let told = names[..names.len().min(WARNINGS)].join(&say!(language, "; "));
-    match names.len() {
-        0 | 1 => say!(
-            language,
-            "The run is done; {passed} of {judged} checks pass. Read the one that warns first: {check}.",
-            passed = passed,
-            judged = judged,
-            check = told
-        ),
-        all if all <= WARNINGS => say!(
-            language,
-            "The run is done; {passed} of {judged} checks pass. Read those that warn first: {checks}.",
-            passed = passed,
-            judged = judged,
-            checks = told
-        ),
-        all => say!(
-            language,
-            "The run is done; {passed} of {judged} checks pass. Read those that warn first: {checks}, and {more} more.",
-            passed = passed,
-            judged = judged,
-            checks = told,
-            more = all - WARNINGS
-        ),
-    }
 }
 
 /// The lines in the room there is for them: those that have none of their own share the last.
@@ -305,7 +244,7 @@ fn lining(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
     let number = |name: &str| finding.numbers.get(name).copied().filter(|x| x.is_finite());
     let group = &short(&finding.group, NAME);
     let text = match (finding.severity, number("share_cracked")) {
-        (Severity::Undamaged, _) => say!(language, "{group}: undamaged.", group = group),
+        (Severity::Undamaged, _) => say!(language, "{group}: no damage computed.", group = group),
         (_, None) => {
             let headline = language.tell_or(&finding.headline_said, &finding.headline);
             say!(language, "{group}: {headline}", group = group, headline = headline)
@@ -349,11 +288,6 @@ fn lining(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
         None => text,
     };
     VerdictLine { class: class(finding.severity), text }
-}
-
-/// Whether a lining's cracks opened so far that pieces have come loose.
-fn is_loose(lining: &Finding) -> bool {
-    lining.numbers.get("crack_opening").is_some_and(|opening| *opening > Cracks::LOOSE)
 }
 
 /// The pair of monitors that moved apart most, of those that did not come loose.

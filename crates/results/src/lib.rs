@@ -31,6 +31,7 @@
 #![forbid(unsafe_code)]
 
 mod arrays;
+pub mod assessment;
 pub mod bolt_group;
 pub mod bolt_lines;
 pub mod bolts;
@@ -41,6 +42,7 @@ pub mod columns;
 pub mod cut;
 pub mod damage;
 pub mod error;
+pub mod failure_modes;
 pub mod field_file;
 pub mod fields;
 pub mod folder;
@@ -48,6 +50,7 @@ pub mod free_field;
 mod growing_file;
 pub mod hexahedron;
 pub mod interface;
+pub mod limits;
 pub mod materials;
 pub mod number;
 pub mod own_table;
@@ -70,6 +73,7 @@ pub mod table_writer;
 pub mod trust;
 pub mod utilisation;
 
+pub use assessment::{Assessment, Class, Judgement, Reason, Reliance, State, assess};
 pub use bolt_group::{BoltPeak, BoltPlace, BoltSummary};
 pub use bolt_lines::{BoltLine, BoltLines};
 pub use bolts::{BOLT_COLUMNS, BoltColumn, BoltRow, BoltWriter, EARTHQUAKE, read_bolts};
@@ -80,6 +84,7 @@ pub use damage::{
     CrackDirection, Cracks, Damaged, Finding, GroupDamage, Onset, Opened, Place, RateFactor, Severity,
 };
 pub use error::Error;
+pub use failure_modes::{FailureModes, JudgedBy};
 pub use field_file::{FieldCell, FieldFile, Scalar};
 pub use fields::Fields;
 pub use folder::{CHECKPOINTS, HAND_OVER, OWN_TABLES, ResultFolder, TABLES};

@@ -7,7 +7,7 @@ use std::path::Path;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{Error, Said, replace_file};
+use crate::{Error, Reliance, Said, State, replace_file};
 
 /// A study.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -118,6 +118,11 @@ pub struct StudyRun {
     /// Limits of acceptance of its case, by their keys, beside what was found; empty where it gives none, has no results, or the study goes on.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
     pub limits: IndexMap<String, StudyLimit>,
+    /// Class of its state and of its reliance, as in summary.json; none where it has no results, and in files of older versions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub state: Option<State>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reliance: Option<Reliance>,
 }
 
 /// A limit of acceptance of a run, and whether it is met.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::Value;
 use tremolite_case::study::{Checks, Measure, MeasureOf, Take};
-use tremolite_results::{Column, Table};
+use tremolite_results::{Column, Reliance, State, Table};
 
 /// What a run left, to take numbers out of.
 pub struct Results<'a> {
@@ -22,6 +22,14 @@ impl<'a> Results<'a> {
     /// A text at the top of the summary.
     pub fn text(&self, key: &str) -> &str {
         self.summary.get(key).and_then(Value::as_str).unwrap_or_default()
+    }
+
+    /// Its classes of state and of reliance; none in files of older versions.
+    pub fn classes(&self) -> (Option<State>, Option<Reliance>) {
+        let class = |of: &str| self.summary.get(of).and_then(|judged| judged.get("class")).cloned();
+        let (state, reliance) = (class("state"), class("reliance"));
+        let state = state.and_then(|class| serde_json::from_value(class).ok());
+        (state, reliance.and_then(|class| serde_json::from_value(class).ok()))
     }
 
     /// The program that ran it.

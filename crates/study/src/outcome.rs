@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use tremolite_results::study::RunStatus;
-use tremolite_results::{Error, ResultFolder};
+use tremolite_results::{Error, Reliance, ResultFolder, State};
 
 use crate::measure::Results;
 
@@ -84,12 +84,14 @@ pub struct Outcome {
     /// Why it did not come to its end.
     pub why: String,
     pub program: String,
+    /// Classes of state and reliance, of a run that is done.
+    pub classes: (Option<State>, Option<Reliance>),
 }
 
 impl Outcome {
     /// Of the run in a folder that is to be of this case.
     pub fn of(folder: &RunFolder, bare: &str) -> Outcome {
-        let pending = Outcome { status: RunStatus::Pending, why: String::new(), program: String::new() };
+        let pending = Outcome::pending();
         if !folder.is_of(bare) {
             return pending;
         }
@@ -108,7 +110,17 @@ impl Outcome {
             _ => RunStatus::Pending,
         };
         let why = if status == RunStatus::Done { "" } else { found.text("outcome") };
-        Outcome { status, why: why.to_owned(), program: found.program().to_owned() }
+        let classes = match status {
+            RunStatus::Done => found.classes(),
+            _ => (None, None),
+        };
+        Outcome { status, why: why.to_owned(), program: found.program().to_owned(), classes }
+    }
+
+    /// Of a run that is still to be run.
+    pub fn pending() -> Outcome {
+        let (why, program, classes) = Default::default();
+        Outcome { status: RunStatus::Pending, why, program, classes }
     }
 
     /// The same, but a run whose tables are not what it wrote, by the checksums beside them, is still to be run. This reads them all.

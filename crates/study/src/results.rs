@@ -8,6 +8,7 @@ use std::path::Path;
 use indexmap::IndexMap;
 use tremolite_case::Language;
 use tremolite_case::study::{Quantity, StudyFile};
+use tremolite_results::Class;
 use tremolite_results::study::{OverRecords, RunStatus, Study, StudyColumn, StudyRun};
 
 use crate::codes;
@@ -109,6 +110,7 @@ fn row(
     measures: Vec<Option<f64>>,
 ) -> StudyRun {
     let sample = &plan.samples[run.sample];
+    let (state, reliance) = outcome.classes;
     StudyRun {
         name: run.name.clone(),
         title: sample.title.clone(),
@@ -125,6 +127,8 @@ fn row(
         program: outcome.program,
         page: String::new(),
         limits: IndexMap::new(),
+        state,
+        reliance,
     }
 }
 
@@ -148,6 +152,8 @@ fn end_chains(study: &StudyFile, plan: &Plan, runs: &mut [StudyRun]) {
                 measures: vec![None; row.measures.len()],
                 why: String::new(),
                 page: String::new(),
+                state: None,
+                reliance: None,
                 ..row.clone()
             };
         } else if ends_chain(study, row) {
@@ -198,6 +204,9 @@ fn limits(study: &Study) -> IndexMap<&str, &str> {
     all.map(|(name, of)| (name.as_str(), of.unit.as_str())).collect()
 }
 
+/// Columns of how a run ended, the last of the table.
+const COLUMNS_OF_END: [&str; 5] = ["state", "reliance", "status", "why", "program"];
+
 /// The runs as a table of comma-separated columns.
 pub fn csv(study: &Study) -> String {
     let with_unit = |c: &StudyColumn| match &c.unit {
@@ -213,7 +222,7 @@ pub fn csv(study: &Study) -> String {
         headers.push(if *unit == "1" { format!("limits.{name}") } else { format!("limits.{name} [{unit}]") });
         headers.push(format!("limits.{name}.met"));
     }
-    headers.extend(["status", "why", "program"].map(str::to_owned));
+    headers.extend(COLUMNS_OF_END.map(str::to_owned));
     let number = |x: &Option<f64>| x.map_or_else(String::new, |x| x.to_string());
     let rows: Vec<Vec<String>> = study
         .runs
@@ -236,6 +245,8 @@ pub fn csv(study: &Study) -> String {
                 row.push(number(&of.and_then(|of| of.found)));
                 row.push(of.and_then(|of| of.met).map_or_else(String::new, |met| met.to_string()));
             }
+            row.push(run.state.map_or_else(String::new, |state| state.key().to_owned()));
+            row.push(run.reliance.map_or_else(String::new, |reliance| reliance.key().to_owned()));
             row.extend([run.status.word().to_owned(), run.why.clone(), run.program.clone()]);
             row
         })
@@ -260,7 +271,7 @@ pub fn plan_csv(study: &StudyFile, plan: &Plan, prepared: &[Prepared]) -> String
         .iter()
         .zip(prepared)
         .map(|(run, prepared)| {
-            let nothing = Outcome { status: RunStatus::Pending, why: String::new(), program: String::new() };
+            let nothing = Outcome::pending();
             row(study, plan, run, prepared, nothing, Vec::new())
         })
         .collect();
@@ -280,7 +291,9 @@ pub fn plan_csv(study: &StudyFile, plan: &Plan, prepared: &[Prepared]) -> String
     let rows: Vec<Vec<String>> = reader
         .records()
         .flatten()
-        .map(|row| row.iter().take(row.len().saturating_sub(3)).map(str::to_owned).collect())
+        .map(|row| {
+            row.iter().take(row.len().saturating_sub(COLUMNS_OF_END.len())).map(str::to_owned).collect()
+        })
         .collect();
     rows.split_first().map_or_else(String::new, |(headers, rows)| table::written(headers, rows))
 }

@@ -13,6 +13,7 @@ pub mod disk;
 pub mod equivalent_linear;
 pub mod error;
 pub mod evidence;
+mod failure_modes;
 mod fingerprint;
 mod groups;
 pub mod history;

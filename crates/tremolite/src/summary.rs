@@ -2,6 +2,7 @@
 
 use crate::damage;
 use crate::evidence::Evidence;
+use crate::failure_modes::{failure_modes, tension};
 use crate::interfaces::{self, interfaces};
 use crate::observers::{BoltForces, Extremes, SectionForces, strengths};
 use crate::outcome::run_in_words;
@@ -18,9 +19,9 @@ use indexmap::IndexMap;
 use tremolite_engine::Model;
 use tremolite_engine::column::corner_name;
 use tremolite_results::{
-    BoltSummary, CaseFacts, Computed, Conclusion, Deconvolved, Finding, InitialStress, ModelFacts,
+    Assessment, CaseFacts, Computed, Conclusion, Deconvolved, Finding, InitialStress, ModelFacts,
     MonitorFacts, MotionFacts as MotionSummary, PartFacts, SoilLayer, Soundness, Status, Summary, Wave,
-    WavePart, peaks_by_monitor,
+    WavePart, assess, peaks_by_monitor,
 };
 
 /// Where the water's pressure comes from, and what becomes of it in the earthquake.
@@ -64,10 +65,12 @@ pub fn summary(evidence: Evidence) -> Summary {
         &support::look(assembly, &outcome.state.numbers),
         &BoltForces::peaks(&model.bolts, plan, memory),
     );
+    let sections = strengths(model, plan, memory);
     // Of what was stopped on its way to rest nothing is judged.
     let judged = outcome.shaken || !matches!(outcome.ending, Ending::Stopped);
     let mut findings = if judged { damage::findings(model, &damage) } else { Vec::new() };
     if judged {
+        findings.extend(tension(&sections, &stress));
         findings.extend(interfaces::findings(&interfaces));
         findings.extend(support::findings(&bolts));
     }
@@ -85,14 +88,14 @@ pub fn summary(evidence: Evidence) -> Summary {
     if survey.void_elements > 0 {
         groups.insert("void".into(), survey.void_elements as u64);
     }
-    Summary {
+    let mut summary = Summary {
         title: plan.title.clone(),
         conclusion: Conclusion {
             status,
-            verdict: verdict(&run.to_string(), &findings, &bolts),
             outcome: run.to_string(),
             outcome_said: run,
             findings,
+            ..Conclusion::default()
         },
         computed: Computed {
             wall_seconds: evidence.wall_seconds,
@@ -160,7 +163,8 @@ pub fn summary(evidence: Evidence) -> Summary {
             interfaces,
             pairs: interfaces::monitors(model, plan),
             bolts,
-            sections: strengths(model, plan, memory),
+            failure_modes: failure_modes(model, &sections),
+            sections,
             bolt_monitors: support::monitors(&model.bolts, plan),
         },
         soundness: Soundness {
@@ -176,7 +180,12 @@ pub fn summary(evidence: Evidence) -> Summary {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             defaulted: evidence.defaulted,
         },
-    }
+    };
+    let assessment = assess(&summary, Some(histories));
+    summary.conclusion.verdict = verdict(&summary, &assessment);
+    summary.conclusion.state = assessment.state;
+    summary.conclusion.reliance = assessment.reliance;
+    summary
 }
 
 /// Largest acceleration of the motion given, by axis \[m/s²\].
@@ -192,12 +201,13 @@ fn given_peaks(plan: &Plan, motion: &MotionFacts) -> Option<[f64; 3]> {
     }
 }
 
-/// The run's outcome and that of each structure, in one text; of many groups of bolts that of all together.
-fn verdict(run: &str, findings: &[Finding], bolts: &IndexMap<String, BoltSummary>) -> String {
-    let mut text = run.to_owned();
+/// The run's outcome, both classes, and what became of each structure, in one text; of many groups of bolts that of all together.
+fn verdict(summary: &Summary, assessment: &Assessment) -> String {
+    let bolts = &summary.parts.bolts;
+    let mut text = format!("{} {}", summary.conclusion.outcome, assessment.classes());
     let all_bolts = support::together(bolts);
     let others = |finding: &&Finding| all_bolts.is_none() || !bolts.contains_key(&finding.group);
-    for finding in findings.iter().filter(others).chain(&all_bolts) {
+    for finding in summary.conclusion.findings.iter().filter(others).chain(&all_bolts) {
         text += &format!(" {}: {}.", finding.group, finding.headline);
         if !finding.text.is_empty() {
             text += &format!(" {}", finding.text);

@@ -240,7 +240,7 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
         let summary = begun.end(&job, &outcome, &caller).map_err(Failure::failed)?;
         let (page, answer) = tremolite_report::write_answering(folder.root()).map_err(Failure::failed)?;
         after(&mut log, &job, &outcome, &summary);
-        log.say(&answer);
+        answer.iter().for_each(|line| log.say(line));
         busy.iter().flatten().for_each(|busy| log.say(busy));
         log.say(&format!("Results are in {}; open {}", folder.root().display(), page.display()));
         if args.strict && matches!(outcome.ending, Ending::Done) && (warned || summary.warnings() > 0) {

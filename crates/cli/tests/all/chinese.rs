@@ -57,6 +57,9 @@ fn patterns() -> BTreeMap<String, String> {
     sources(&crates.join("report/src"), &mut files);
     sources(&crates.join("tremolite/src"), &mut files);
     sources(&crates.join("study/src"), &mut files);
+    sources(&crates.join("results/src/assessment"), &mut files);
+    let assessment = crates.join("results/src/assessment.rs");
+    files.insert(assessment.display().to_string(), fs::read_to_string(&assessment).unwrap());
     let mut patterns = BTreeMap::new();
     for (file, text) in files {
         let mut found = Vec::new();

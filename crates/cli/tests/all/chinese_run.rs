@@ -16,7 +16,7 @@ yield = "400 MPa"
 bond = { stiffness = "10 GPa", strength = "300 kN/m", friction_angle = "0 deg" }
 "#;
 
-const CONCRETE: &str = r#"law = "concrete-damage"
+pub const CONCRETE: &str = r#"law = "concrete-damage"
 friction_angle = "46 deg"
 cohesion = "2 MPa"
 tensile_strength = "0.02 MPa"

@@ -13,6 +13,7 @@ mod corners;
 mod every_law;
 mod fuzzed;
 mod interfaces;
+mod judged_run;
 mod law;
 mod law_figures;
 mod law_interface;

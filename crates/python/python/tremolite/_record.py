@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -19,8 +20,10 @@ class Record(Mapping[str, Any]):
         # Copies and pickles ask for what is not set yet.
         if name.startswith("_"):
             raise AttributeError(name)
+        # A word of Python's own takes an underscore: `class_`.
+        bare = name.removesuffix("_")
         try:
-            return self[name]
+            return self[bare if keyword.iskeyword(bare) else name]
         except KeyError:
             raise AttributeError(f"there is no {name!r}; there are {', '.join(self._fields)}") from None
 

@@ -48,6 +48,22 @@ class Result:
         return str(self.summary["verdict"]).replace("go on with --resume", "go on with resume=True")
 
     @property
+    def state(self) -> Record:
+        """Whether the lining withstands: `class_` is "withstands", "not_judged", "damaged" or "fails", `reasons` say why."""
+        return self._judgement("state")
+
+    @property
+    def reliance(self) -> Record:
+        """How far to use the results: `class_` is "sound", "with_reservations" or "not_to_be_used", `reasons` say why."""
+        return self._judgement("reliance")
+
+    def _judgement(self, name: str) -> Record:
+        summary = self.summary.to_dict()
+        if name not in summary:
+            raise Error(f"{self.path} is of an older version, without {name}")
+        return Record(summary[name])
+
+    @property
     def findings(self) -> list[Record]:
         """What became of each structure: id, group, severity, headline, text and numbers."""
         return list(self.summary["findings"])

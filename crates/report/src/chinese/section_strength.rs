@@ -32,10 +32,7 @@ pub const TEXTS: Texts = &[
         "有 {without} 个配筋断面在无筋一侧张开，该条不给出其裂缝宽度。",
     ),
     ("{lining}, left at the end, by EN 1992-1-1 7.3.4", "{lining}，结束时残余，按 EN 1992-1-1 第 7.3.4 条"),
-    (
-        "The summary does not say of what strength the concrete of this lining is.",
-        "summary.json 未给出该衬砌混凝土的强度。",
-    ),
+    ("No strength is known for {lining}.", "{lining} 的强度未知。"),
     (
         "sections.csv holds no thickness and no thrust at the time of the largest moment.",
         "sections.csv 中没有厚度，也没有最大弯矩时刻的轴力。",

@@ -161,22 +161,6 @@ pub const TEXTS: Texts = &[
     ("Limits of the method", "方法的局限"),
     ("Show", "展开"),
     (
-        "Its sections resist the computed forces (utilisation {most} {way}), but {warnings} of {judged} checks warn.",
-        "断面能承受计算内力（利用率 {most}，{way}），但 {judged} 项检查中有 {warnings} 项警告。",
-    ),
-    (
-        "Its sections resist the computed forces (utilisation {most} {way}), but nothing was checked.",
-        "断面能承受计算内力（利用率 {most}，{way}），但未作任何检查。",
-    ),
-    (
-        "Its sections resist the computed forces: utilisation {most} {way}.",
-        "截面承载力满足要求：利用率 {most}（{way}）。",
-    ),
-    (
-        "Its sections do not resist the computed forces: utilisation {most} {way}.",
-        "截面承载力不满足要求：利用率 {most}（{way}）。",
-    ),
-    (
         "{lining}, {code}: utilisation {bending} in thrust and moment ({first}), {shear}; above 1 at {beyond} of {stations} stations.",
         "{lining}，{code}：利用率，轴力与弯矩 {bending}（{first}），{shear}；{stations} 个断面中 {beyond} 个大于 1。",
     ),
@@ -186,12 +170,7 @@ pub const TEXTS: Texts = &[
     ),
     ("{value} in shear ({clause})", "剪力 {value}（{clause}）"),
     ("{value} in shear ({clause}: {why})", "剪力 {value}（{clause}：{why}）"),
-    (
-        "Its sections do not resist the computed forces: {beyond} of {stations} stations are loaded beyond their strength, at the worst nothing resists {way}.",
-        "截面承载力不满足要求：{stations} 个断面中 {beyond} 个超出承载力，最不利处无承载力（{way}）。",
-    ),
     ("shear force", "剪力"),
-    ("shear force ({why})", "剪力：{why}"),
     (
         "of {stations}: {bending} by N and M, {shear} by shear",
         "/{stations}：轴力与弯矩 {bending} 个，剪力 {shear} 个",
@@ -199,19 +178,9 @@ pub const TEXTS: Texts = &[
     ("{crushed} crushed", "压剪损伤 {crushed}"),
     ("{left} at the end", "震\u{2060}后\u{a0}{left}"),
     ("Crushed or sheared share of a lining's volume", "衬砌压碎或剪坏体积比"),
-    ("Limits of acceptance not met: {names}.", "不满足的验收限值：{names}。"),
-    (
-        "Limits of acceptance not met: {names}; of {unknown} more nothing is known.",
-        "不满足的验收限值：{names}；另有 {unknown} 项未知。",
-    ),
     ("The one limit of acceptance is met.", "唯一的验收限值已满足。"),
-    ("No limit of acceptance is known to be met.", "尚无验收限值可确认满足。"),
     ("met so far", "目前满足"),
     ("All {met} limits of acceptance are met.", "{met} 项验收限值全部满足。"),
-    (
-        "{met} of {all} limits of acceptance are met; of the others nothing is known.",
-        "{all} 项验收限值中满足 {met} 项，其余未知。",
-    ),
     ("{place}, when the free field beside it has moved by {free}", "{place}，此时旁边自由场位移 {free}"),
     ("haunch", "拱腰"),
     ("wall", "边墙"),
@@ -257,10 +226,6 @@ pub const TEXTS: Texts = &[
     ),
     ("{title} (thickness × {factor})", "{title}（厚度 × {factor}）"),
     ("thickness of linings × {factor}", "衬砌厚度 × {factor}"),
-    (
-        "{answer} Concrete is crushed or sheared in up to {share} of a lining's volume.",
-        "{answer}混凝土压碎或剪坏，最多占一个衬砌体积的 {share}。",
-    ),
     ("Width of cracks across bars", "与钢筋相交的裂缝宽度"),
     ("{lining}, {direction}, widest in the run", "{lining}，{direction}，全过程最大"),
     ("parallel to the wall, not judged: {width}", "平行于壁面、不作判定：{width}"),

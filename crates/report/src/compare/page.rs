@@ -2,6 +2,7 @@
 
 use minijinja::value::Serde;
 use serde::Serialize;
+use tremolite_results::Assessment;
 
 use super::Run;
 use super::case_text::{Changes, changes};
@@ -14,6 +15,7 @@ use crate::page::templates::{SCRIPT, STYLE, environment, markup};
 use crate::quantities::scale::{count, quantity, span, trimmed};
 use crate::script::blocks::Blocks;
 use crate::script::curves::embedded;
+use crate::verdict::{assessment, word};
 
 const TEMPLATE: &str = include_str!("../../template/compare.html");
 
@@ -92,9 +94,15 @@ fn what_they_are(runs: &[Run], language: Language) -> TextTable {
         std::iter::once(Cell::words(label)).chain(facts.iter().map(of)).collect()
     };
     let ended = std::iter::once(Cell::words(say!(language, "how it ended")));
+    let found: Vec<Assessment> = runs.iter().map(|run| assessment(&run.source)).collect();
+    let judged = |label: String, of: &dyn Fn(&Assessment) -> String| -> Vec<Cell> {
+        std::iter::once(Cell::words(label)).chain(found.iter().map(|found| Cell::number(of(found)))).collect()
+    };
     let rows = vec![
         row(say!(language, "title"), &|s| Cell::words(&s.title)),
         ended.chain(runs.iter().map(|run| status(run, language))).collect(),
+        judged(say!(language, "state"), &|found| word(language, found.state.class)),
+        judged(say!(language, "reliance"), &|found| word(language, found.reliance.class)),
         row(say!(language, "checks that pass"), &|s| {
             let (judged, warnings) = (s.judged(), s.warnings());
             let text = say!(

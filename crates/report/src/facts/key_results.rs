@@ -1,6 +1,7 @@
 //! The few numbers that stand at the top of the page.
 
-use tremolite_results::{Peaks, Summary, Table};
+use tremolite_results::limits::{PairPeaks, largest_displacement, largest_relative, loose_monitors};
+use tremolite_results::{Peaks, Summary};
 
 use crate::bolts::key_result;
 use crate::damage::opening;
@@ -11,7 +12,7 @@ use crate::language::say;
 use crate::quantities::scale::{figures, moment};
 use crate::quantities::units::Kind;
 use crate::source::Source;
-use crate::source::monitor_pairs::{PairPeaks, held};
+use crate::source::monitor_pairs::held;
 
 /// The few numbers that a reader wants first.
 pub fn key_results(source: &Source) -> Vec<Fact> {
@@ -31,9 +32,8 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         }
     };
     if let Ok(table) = &source.monitors {
-        let (loose, counted) = counted(&facts);
-        let loose: Vec<&str> = loose.into_iter().map(String::as_str).collect();
-        if let Some((monitor, time, size)) = longest(table, counted.into_iter()) {
+        let loose = loose_monitors(&facts);
+        if let Some((monitor, time, size)) = largest_displacement(table, &facts) {
             let note = say!(
                 language,
                 "{monitor} at {time}, its components together in one row of monitors.csv",
@@ -47,8 +47,8 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
             ));
         }
     }
-    let (held, loose) = held(source, &facts);
-    if let Some((pair, _, peaks)) = extreme(held, |name| name == "u", |p| p.max) {
+    let (_, loose) = held(source, &facts);
+    if let Some((pair, peaks)) = largest_relative(source.monitors.as_ref().ok(), &facts) {
         let note = say!(language, "{pair} at {time}, its length", pair = pair, time = at(peaks.t_max));
         let label = say!(language, "Largest relative displacement");
         cards.push(card(label, source.quantity(Kind::Displacement, peaks.max), without(note, &loose)));
@@ -90,29 +90,6 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
         ));
     }
     cards
-}
-
-/// Monitors on broken elements, and those that count; where all are on such they are all there is.
-fn counted(facts: &Summary) -> (Vec<&String>, Vec<&String>) {
-    let (loose, counted): (Vec<&String>, Vec<&String>) =
-        facts.monitors.peaks.keys().partition(|name| facts.monitors.on_broken_elements.contains(name));
-    if counted.is_empty() { (counted, loose) } else { (loose, counted) }
-}
-
-/// Monitors that do not count beside others, because they are on broken elements.
-pub fn loose_monitors(facts: &Summary) -> Vec<&str> {
-    counted(facts).0.into_iter().map(String::as_str).collect()
-}
-
-/// Monitor, time (s) and length (m) of the largest displacement, but for those on broken elements.
-pub fn largest_displacement<'a>(source: &Source, facts: &'a Summary) -> Option<(&'a str, f64, f64)> {
-    longest(source.monitors.as_ref().ok()?, counted(facts).1.into_iter())
-}
-
-/// Pair of monitors, time (s) and length (m) of the largest displacement of two against each other, but for those on broken elements.
-pub fn largest_relative(source: &Source, facts: &Summary) -> Option<(String, f64, f64)> {
-    let (pair, _, peaks) = extreme(held(source, facts).0, |name| name == "u", |p| p.max)?;
-    Some((pair.to_string(), peaks.t_max, peaks.max))
 }
 
 /// What the stages before the shaking left: the most that a wall moved, what has yielded, and how far from rest it is.
@@ -176,26 +153,6 @@ fn stress_cards(source: &Source, facts: &Summary, at: impl Fn(f64) -> String) ->
         cards.push(card(smallest(), source.quantity(Kind::Stress, peaks.min), note));
     }
     cards
-}
-
-/// Monitor, time and length of the longest displacement vector.
-fn longest<'a>(table: &Table, monitors: impl Iterator<Item = &'a String>) -> Option<(&'a str, f64, f64)> {
-    let time = table.column("time")?;
-    let mut best: Option<(&str, f64, f64)> = None;
-    for monitor in monitors {
-        let parts = ["ux", "uy", "uz"].map(|q| table.column(&format!("{monitor}.{q}")));
-        let parts: Vec<&[f64]> = parts.into_iter().flatten().collect();
-        if parts.is_empty() {
-            continue;
-        }
-        for (row, &t) in time.iter().enumerate() {
-            let length = parts.iter().map(|part| part[row] * part[row]).sum::<f64>().sqrt();
-            if length.is_finite() && best.is_none_or(|(_, _, most)| length > most) {
-                best = Some((monitor, t, length));
-            }
-        }
-    }
-    best
 }
 
 fn extreme<'a>(

@@ -6,7 +6,7 @@
 //! tension, and with f_c over the whole of the compressed part it bears m = ½|n|(1 − |n|) at most. Plain concrete bears what
 //! lies within either.
 
-use tremolite_results::{EFFECTIVE, Summary};
+use tremolite_results::{EFFECTIVE, MaterialFacts, Summary};
 
 use crate::chapter::figure::Figure;
 use crate::drawing::axes::Axes;
@@ -17,6 +17,12 @@ use crate::language::say;
 use crate::quantities::units::Kind;
 use crate::section_forces::stations::{Lining, Station};
 use crate::source::Source;
+
+/// The material that a group is made of; nothing where the summary does not say.
+fn material_of<'a>(group: &str, facts: &'a Summary) -> Option<&'a MaterialFacts> {
+    let made = |names: &str| names.split(", ").any(|name| name == group);
+    facts.computed.materials.values().find(|m| m.groups.iter().any(|g| made(&g.names)))
+}
 
 /// Static strengths of a lining's concrete (Pa).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +36,7 @@ impl Strength {
     pub fn of(group: &str, facts: &Summary) -> Option<Self> {
         // Forces of effective stress have the group's name and a word more.
         let group = group.strip_suffix(EFFECTIVE).unwrap_or(group);
-        let made = |names: &str| names.split(", ").any(|name| name == group);
-        let material = facts.computed.materials.values().find(|m| m.groups.iter().any(|g| made(&g.names)))?;
+        let material = material_of(group, facts)?;
         let value = |name: &str| material.values.iter().find(|v| v.name == name).map(|v| v.value);
         let found =
             Strength { tension: value("tensile_strength")?, compression: value("compressive_strength")? };
@@ -86,7 +91,16 @@ fn states(station: &Station, strength: Strength) -> (Option<[f64; 2]>, Vec<[f64;
 pub fn figure(source: &Source, lining: &Lining, facts: &Summary, suffix: &str) -> Result<Figure, String> {
     let language = source.language;
     let strength = Strength::of(&lining.name, facts).ok_or_else(|| {
-        say!(language, "The summary does not say of what strength the concrete of this lining is.")
+        let name = lining.name.strip_suffix(EFFECTIVE).unwrap_or(&lining.name);
+        match material_of(name, facts) {
+            Some(material) => say!(
+                language,
+                "No strength is known for {lining} (law {law}). Add a [[section]] to judge it.",
+                lining = name,
+                law = material.law
+            ),
+            None => say!(language, "No strength is known for {lining}.", lining = name),
+        }
     })?;
     let all: Vec<_> = lining.stations.iter().map(|s| states(s, strength)).collect();
     let after: Vec<[f64; 2]> = all.iter().filter_map(|(after, _)| *after).collect();

@@ -115,16 +115,10 @@ fn coordinates(at: [f64; 3]) -> [String; 3] {
     at.map(|c| trimmed(&format!("{c:.1}").replace('-', "−")))
 }
 
-/// Whether a lining that can neither crack nor yield was loaded beyond its strength in thrust and moment: what cracks that leaves an
-/// elastic law does not know.
-pub fn overloaded(of: &SectionStrength) -> bool {
-    !of.yields && of.bending.as_ref().is_some_and(|used| used.value.is_nan() || used.value > 1.0)
-}
-
 /// The widest crack that is left in a lining's sections with bars.
 pub fn left(source: &Source, of: &SectionStrength) -> String {
     match &of.crack {
-        Some(crack) if crack.station > 0 && overloaded(of) => say!(source.language, "not known"),
+        Some(crack) if crack.station > 0 && of.is_overloaded() => say!(source.language, "not known"),
         Some(crack) if crack.station > 0 && crack.width.is_nan() => say!(source.language, "bars yield"),
         Some(crack) if crack.station > 0 && crack.width == 0.0 => say!(source.language, "none"),
         // Less than one can see or measure is no number of the clause's accuracy.

@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use indexmap::{IndexMap, IndexSet};
-use tremolite_results::{Peaks, Subject, Summary, Table, halves};
+use indexmap::IndexSet;
+use tremolite_results::limits::{PairPeaks, held_pairs, monitors_of};
+use tremolite_results::{Subject, Summary, Table};
 
 use crate::source::Source;
 
@@ -19,29 +20,9 @@ pub fn is_pair(subject: &Subject) -> bool {
     matches!(subject, Subject::Relative(_))
 }
 
-/// A pair with the peaks of its quantities.
-pub type PairPeaks<'a> = (&'a str, &'a IndexMap<String, Peaks>);
-
-/// The monitors of a pair: as its columns say or, in files of older versions that have none, its name.
-fn monitors_of(table: Option<&Table>, facts: &Summary, pair: &str) -> Option<[String; 2]> {
-    let subjects = table.into_iter().flat_map(|table| &table.columns).map(|column| &column.subject);
-    let told =
-        subjects.filter(|subject| is_pair(subject)).find(|subject| subject.name().as_deref() == Some(pair));
-    match told {
-        Some(Subject::Relative(monitors)) => Some(monitors.clone()),
-        _ => Some(halves(pair, |name| facts.monitors.peaks.contains_key(name))?.map(str::to_owned)),
-    }
-}
-
 /// The pairs of a run of which no monitor is on a broken element, and the names of the others: nothing holds such an element.
 pub fn held<'a>(source: &Source, facts: &'a Summary) -> (Vec<PairPeaks<'a>>, Vec<&'a str>) {
-    let is_broken = |monitor: &String| facts.monitors.on_broken_elements.contains(monitor);
-    let one_is_broken = |pair: &str| {
-        monitors_of(source.monitors.as_ref().ok(), facts, pair).is_some_and(|of| of.iter().any(is_broken))
-    };
-    let pairs = facts.monitors.relative.iter().map(|(pair, peaks)| (pair.as_str(), peaks));
-    let (broken, held): (Vec<_>, Vec<_>) = pairs.partition(|(pair, _)| one_is_broken(pair));
-    (held, broken.into_iter().map(|(pair, _)| pair).collect())
+    held_pairs(source.monitors.as_ref().ok(), facts)
 }
 
 /// The column of a pair or, in files of older versions that have none, the difference of its monitors'.

@@ -12,6 +12,7 @@ use super::paper::{measured, told};
 use crate::language::{Language, say};
 use crate::page::templates::{STYLE, environment, markup};
 use crate::quantities::scale::{figures, trimmed};
+use crate::verdict::word as class_word;
 
 const TEMPLATE: &str = include_str!("../../template/study.html");
 
@@ -237,8 +238,16 @@ fn head(study: &Study, language: Language) -> Vec<String> {
     }
     head.extend(study.intensities.iter().chain(&study.measures).map(shown));
     head.extend(limits(study).into_iter().map(|name| limit_name(language, name)));
+    if has_classes(study) {
+        head.extend([say!(language, "state"), say!(language, "reliance")]);
+    }
     head.push(say!(language, "ended"));
     head
+}
+
+/// Whether results of a run tell its state; those of older versions do not.
+fn has_classes(study: &Study) -> bool {
+    study.runs.iter().any(|run| run.state.is_some())
 }
 
 fn row(study: &Study, language: Language, run: &StudyRun) -> Vec<Cell> {
@@ -259,6 +268,11 @@ fn row(study: &Study, language: Language, run: &StudyRun) -> Vec<Cell> {
     );
     row.extend(run.measures.iter().map(|x| number(*x)));
     row.extend(limits(study).into_iter().map(|name| held(language, run.limits.get(name))));
+    if has_classes(study) {
+        let dash = || "–".to_owned();
+        row.push(Cell::plain(run.state.map_or_else(dash, |class| class_word(language, class))));
+        row.push(Cell::plain(run.reliance.map_or_else(dash, |class| class_word(language, class))));
+    }
     row.push(Cell::plain(ended(language, run.status)));
     row
 }

@@ -1,8 +1,7 @@
 //! Names and shares as briefly as the verdict has room for.
 
-/// Characters of a name of which nothing is left out: of a group, and of a check, which stands alone in its line.
+/// Characters of a group's name of which nothing is left out.
 pub const NAME: usize = 48;
-pub const CHECK: usize = 96;
 /// How many of a longer one's end are kept.
 const END: usize = 12;
 

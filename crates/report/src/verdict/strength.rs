@@ -1,4 +1,4 @@
-//! The verdict on linings whose law can neither crack nor yield: by the strength of their sections.
+//! Lines on linings whose law can neither crack nor yield: the utilisation of their sections.
 
 use tremolite_results::{SectionStrength, Summary};
 
@@ -21,74 +21,6 @@ fn most(of: &SectionStrength) -> Option<f64> {
     let each = [&of.bending, &of.shear].into_iter().flatten();
     let size = each.map(|used| if used.value.is_nan() { f64::INFINITY } else { used.value });
     size.max_by(f64::total_cmp)
-}
-
-/// The answer with its colour; nothing where nothing is judged so.
-pub fn answer(source: &Source, facts: &Summary) -> Option<(&'static str, String)> {
-    let language = source.language;
-    let worst = judged(facts).filter_map(|(_, of)| Some((most(of)?, of)));
-    let (most, of) = worst.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let bending = of.bending.as_ref().is_some_and(|used| used.value.is_nan() || used.value >= most);
-    let way = match (bending, most.is_infinite()) {
-        (true, false) => say!(language, "in thrust and moment"),
-        (false, false) => say!(language, "in shear"),
-        (true, true) => say!(language, "thrust and moment"),
-        (false, true) => match without_shear(language, of) {
-            why if why.is_empty() => say!(language, "shear force"),
-            why => say!(language, "shear force ({why})", why = why),
-        },
-    };
-    Some(match most <= 1.0 {
-        true if facts.judged() == 0 => (
-            "warn",
-            say!(
-                language,
-                "Its sections resist the computed forces (utilisation {most} {way}), but nothing was checked.",
-                most = shown(most),
-                way = way
-            ),
-        ),
-        true if facts.warnings() > 0 => (
-            "warn",
-            say!(
-                language,
-                "Its sections resist the computed forces (utilisation {most} {way}), but {warnings} of {judged} checks warn.",
-                most = shown(most),
-                way = way,
-                warnings = facts.warnings(),
-                judged = facts.judged()
-            ),
-        ),
-        true => (
-            "good",
-            say!(
-                language,
-                "Its sections resist the computed forces: utilisation {most} {way}.",
-                most = shown(most),
-                way = way
-            ),
-        ),
-        false if most.is_infinite() => (
-            "bad",
-            say!(
-                language,
-                "Its sections do not resist the computed forces: {beyond} of {stations} stations are loaded beyond their strength, \
-                 at the worst nothing resists {way}.",
-                beyond = of.beyond,
-                stations = of.stations,
-                way = way
-            ),
-        ),
-        false => (
-            "bad",
-            say!(
-                language,
-                "Its sections do not resist the computed forces: utilisation {most} {way}.",
-                most = shown(most),
-                way = way
-            ),
-        ),
-    })
 }
 
 /// A line a lining, the worst first.

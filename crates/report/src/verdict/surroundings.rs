@@ -4,7 +4,6 @@ use tremolite_results::{Finding, Severity, Summary};
 
 use crate::language::{Language, say};
 use crate::quantities::scale::{figures, quantity};
-use crate::section_forces::used::overloaded;
 use crate::verdict::short_names::{NAME, percent, short};
 
 /// A share that hides how much of a block of rock, most of it far from the caverns, has yielded.
@@ -116,7 +115,7 @@ fn of_bolts(language: Language, facts: &Summary, bolts: &Finding) -> Option<(Sev
     // Of reinforcement each row of elements has a chain: their number says nothing.
     let bars = facts.parts.bolts.get(&bolts.group).is_some_and(|group| group.bars);
     // Beside concrete that cannot crack they carry little: where its sections are beyond their strength that is no good news.
-    let beyond = facts.parts.sections.values().any(|of| of.reinforced > 0 && overloaded(of));
+    let beyond = facts.parts.sections.values().any(|of| of.reinforced > 0 && of.is_overloaded());
     let used = facts.parts.bolts.get(&bolts.group).map(|group| group.force_over_yield);
     let used = used.filter(|share| share.is_finite() && *share > 0.0).map(|share| format!("{share:.2}"));
     let text = match (yielded > 0.0, broken > 0.0) {

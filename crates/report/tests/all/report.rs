@@ -220,7 +220,7 @@ fn the_banner_tells_failed_stopped_warned_and_good_runs_apart() {
     for (status, pass, class, headline) in [
         (Status::Done, true, "good", "Run: all 1 checks pass"),
         (Status::Done, false, "warn", "Run: done, 1 of 1 checks warns"),
-        (Status::Stopped, true, "warn", "Run: stopped before its end"),
+        (Status::Stopped, true, "bad", "Run: stopped before its end"),
         (Status::Failed, true, "bad", "Run: failed"),
     ] {
         summary.conclusion.status = status;
@@ -439,7 +439,12 @@ fn materials_are_tabled_with_what_is_made_of_them_and_what_their_laws_derive() {
         wave_speed_p: 3125.0,
         wave_speed_s: 1970.0,
         damping: "3 % over 0.5 to 20 Hz".into(),
-        groups: vec![MaterialGroup { names: "hall.lining".into(), elements: 1234, element: "full".into() }],
+        groups: vec![MaterialGroup {
+            names: "hall.lining".into(),
+            body: "hall.lining".into(),
+            elements: 1234,
+            element: "full".into(),
+        }],
         values: vec![
             value("young", [25e9; 2], "Pa", Origin::Given),
             value("friction_angle", [46f64.to_radians(); 2], "rad", Origin::Given),

@@ -93,7 +93,11 @@ fn limits_are_met_or_not_and_what_the_results_lack_is_neither() {
         row(&found, "Utilisation").contains("class=\"pass\"") && row(&found, "Utilisation").contains(">met<")
     );
     assert!(row(&found, "Crack width").contains("not known"), "{found}");
-    assert!(found.contains("Its sections resist") && found.contains("0.876"));
+    assert!(
+        found.contains("State: <strong>fails</strong>. Displacement of a monitor: ")
+            && found.contains("0.876")
+    );
+    assert!(found.contains("Crack width: not known (limit 0.31 mm)."), "{found}");
     assert!(found.contains("x 2.74 m&#x2f;s² (0.28 g); z 1.54 m&#x2f;s² (0.16 g)"), "{found}");
     assert!(found.contains("base viscous with springs; sides across x free field"));
     // Chinese has its own words, and the same numbers.
@@ -124,7 +128,9 @@ fn limits_of_the_command_stand_in_for_those_of_the_case_and_what_has_no_bound_me
         );
     }
     assert!(!found.contains("Crack width") && found.contains("∞"), "{found}");
-    assert!(found.contains("Its sections do not resist the computed forces"));
+    assert!(found.contains(
+        "State: <strong>fails</strong>. Utilisation of hall.lining in thrust and moment: ∞ (limit 1)"
+    ));
 }
 
 /// An elastic law does not know what is left of forces beyond the strength: whatever width the clause gives for the end of the run, it
@@ -166,7 +172,7 @@ fn shear_names_its_clause_and_why_nothing_is_borne() {
         found.contains("∞ in shear (6.2.2: tension of 2500 kN&#x2f;m leaves no resistance to shear)"),
         "{found}"
     );
-    assert!(found.contains("at the worst nothing resists shear force (tension of 2500 kN&#x2f;m leaves no resistance to shear)"), "{found}");
+    assert!(found.contains("Shear utilisation of hall.lining: ∞ (limit 1)"), "{found}");
 }
 
 /// What cannot crack has no cracked share; the sheet says so instead of asking for more results.
@@ -195,16 +201,17 @@ fn without_limits_or_sections_the_sheets_say_how_to_have_them() {
     assert_eq!(found.matches("<div class=\"sheet\">").count(), 2);
 }
 
-/// A lining that cracks is judged by its cracks: its utilisation is a cross-check, and no verdict.
+/// A utilisation above 1 fails whatever the law; of a lining that cracks both are to be read.
 #[test]
-fn a_lining_that_cracks_is_not_judged_by_its_utilisation() {
+fn a_lining_that_cracks_fails_by_its_utilisation_with_a_word_on_its_law() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path());
     let mut summary = Summary::read(&folder.summary()).unwrap();
     summary.parts.sections.insert("hall.lining".into(), SectionStrength { yields: true, ..judged(1.3) });
     summary.write(&folder.summary()).unwrap();
     let found = sheets(&folder, Language::English);
-    assert!(!found.contains("Its sections") && found.contains("cross-check"), "{found}");
+    assert!(found.contains("1.30 (limit 1)") && found.contains("own law cracks: read both."), "{found}");
+    assert!(found.contains("cross-check"), "{found}");
 }
 
 /// Whoever signs sees by which strengths a lining is judged: factors, that of the earthquake among them, and steel.

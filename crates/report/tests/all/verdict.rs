@@ -1,13 +1,15 @@
-//! What the verdict answers: by cracks, by yielding where nothing can crack, and never green where checks warn.
+//! State and reliance on the page, the worst of what sets them, in both languages.
 
 use std::fs;
 
 use tremolite_report::{Language, write_in};
 use tremolite_results::{
-    Damaged, Finding, GroupDamage, Peaks, ResultFolder, Severity, Summary, Table, TableWriter, TrustLine,
+    Damaged, FailureModes, Finding, GroupDamage, JudgedBy, LiningExtent, Peaks, ResultFolder,
+    SectionStrength, Severity, Summary, Table, TableWriter, TrustLine, said,
 };
 
 use crate::report::results;
+use crate::sheets;
 
 fn finding(group: &str, severity: Severity, numbers: &[(&str, f64)]) -> Finding {
     Finding {
@@ -19,13 +21,15 @@ fn finding(group: &str, severity: Severity, numbers: &[(&str, f64)]) -> Finding 
     }
 }
 
-/// Class and answer of the page.
-fn answer(folder: &ResultFolder, language: Language) -> (String, String) {
+/// Colour and text of state and of reliance.
+fn judged(folder: &ResultFolder, language: Language) -> [(String, String); 2] {
     let page = fs::read_to_string(write_in(folder.root(), language).unwrap()).unwrap();
-    let (_, from) = page.split_once("<div class=\"verdict ").unwrap();
-    let (class, inside) = from.split_once("\">").unwrap();
-    let text = inside.split_once("<ul").unwrap().0.replace('\u{a0}', " ");
-    (class.to_owned(), text)
+    let lines = page.split("<p class=\"judged ").skip(1).map(|line| {
+        let (class, text) = line.split_once("</p>").unwrap().0.split_once("\">").unwrap();
+        let text = text.replace("<strong>", "").replace("</strong>", "").replace('\u{a0}', " ");
+        (class.to_owned(), text.replace("&#x27;", "'").replace("&#x2f;", "/"))
+    });
+    lines.collect::<Vec<_>>().try_into().unwrap()
 }
 
 /// Writes the findings, with so many checks passed and so many that warn.
@@ -49,43 +53,38 @@ fn lined(root: &std::path::Path) -> ResultFolder {
     let measures = [("plastic_shear_strain".to_owned(), Damaged::default())].into();
     let group = GroupDamage { volume: 1.0, measures, ..GroupDamage::default() };
     summary.parts.damage = [("adit.shotcrete".to_owned(), group.clone()), ("rock".to_owned(), group)].into();
+    summary.computed.linings.insert("adit.shotcrete".into(), LiningExtent::default());
     summary.write(&folder.summary()).unwrap();
     folder
 }
 
 #[test]
-fn a_lining_that_cannot_crack_is_answered_by_its_yielding() {
+fn a_lining_that_yields_is_damaged_and_rock_that_yields_is_none() {
     let temp = tempfile::tempdir().unwrap();
     let folder = lined(temp.path());
     let shares = [("share_yielded_in_shear", 0.64), ("share_yielded_in_tension", 0.0)];
     let rock = finding("rock", Severity::Damaged, &[("share_yielded_in_shear", 0.9)]);
     let lining = finding("adit.shotcrete", Severity::Damaged, &shares);
     set(&folder, vec![rock.clone(), lining.clone()], true);
-    let (class, text) = answer(&folder, Language::English);
-    assert_eq!(class, "warn");
-    assert!(
-        text.contains("Not judged by cracks. adit.shotcrete: yielded in shear in 64.0 % of its volume."),
-        "{text}"
+    let [(class, text), _] = judged(&folder, Language::English);
+    assert_eq!(
+        (class.as_str(), text.as_str()),
+        ("warn", "State: damaged. adit.shotcrete: yielded in shear.")
     );
-    let (_, chinese) = answer(&folder, Language::Chinese);
-    assert!(chinese.contains("未按裂缝判断。adit.shotcrete：剪切屈服体积占 64.0 %。"), "{chinese}");
+    let [(_, chinese), _] = judged(&folder, Language::Chinese);
+    assert!(chinese.contains("状态：已受损") && chinese.contains("adit.shotcrete：剪切屈服。"), "{chinese}");
 
-    // Rock is no lining, and a lining that stayed elastic has nothing to be told of.
     set(&folder, vec![rock, finding("adit.shotcrete", Severity::Undamaged, &[])], true);
-    assert!(answer(&folder, Language::English).1.contains("Not judged: no structure of this run can crack."));
+    assert_eq!(judged(&folder, Language::English)[0].0, "good");
 
     // A sound lining of concrete does not hide it.
     set(&folder, vec![finding("hall.lining", Severity::Undamaged, &[]), lining], true);
-    let (class, text) = answer(&folder, Language::English);
-    assert!(
-        class == "warn" && text.contains("has not cracked, but it has yielded. adit.shotcrete"),
-        "{text}"
-    );
-    assert!(answer(&folder, Language::Chinese).1.contains("未开裂，但已屈服。adit.shotcrete"));
+    let [(class, text), _] = judged(&folder, Language::English);
+    assert!(class == "warn" && text.contains("damaged. adit.shotcrete: yielded"), "{text}");
 }
 
 #[test]
-fn no_answer_is_green_where_checks_warn() {
+fn state_and_reliance_have_a_colour_each() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
     let cracked = || finding("hall.lining", Severity::Damaged, &[("share_cracked", 0.1)]);
@@ -95,27 +94,92 @@ fn no_answer_is_green_where_checks_warn() {
     // The pieces may be another lining's than the one that is cracked most.
     let loose =
         || finding("adit.lining", Severity::Through, &[("share_cracked", 0.05), ("crack_opening", 0.021)]);
-    for (findings, pass, class, english, chinese) in [
-        (vec![sound()], true, "good", "It is undamaged.", "未损伤。"),
-        (vec![sound()], false, "warn", "some checks warn", "部分检查未通过"),
-        (vec![cracked()], true, "warn", "no crack runs through its thickness", "没有一处贯穿厚度"),
-        (vec![cracked()], false, "warn", "no crack runs through its thickness", "没有一处贯穿厚度"),
-        (vec![through()], false, "bad", "cracks run through its thickness.", "裂缝贯穿衬砌厚度。"),
+    for (findings, class, english, chinese) in [
+        (vec![sound()], "good", "withstands. No damage is computed.", "未计算出损伤。"),
+        (vec![cracked()], "warn", "damaged. hall.lining: cracked.", "hall.lining：开裂。"),
         (
-            vec![through(), loose()],
-            false,
-            "bad",
-            "and pieces have come loose. This model cannot say",
-            "并有块体脱离。",
+            vec![through()],
+            "warn",
+            "damaged. hall.lining: cracks run through its thickness.",
+            "裂缝贯穿厚度。",
         ),
-        (vec![], false, "warn", "Not judged", "未作判断"),
+        (vec![through(), loose()], "bad", "fails. Pieces of adit.lining have come loose", "块体脱离"),
+        (vec![], "warn", "not judged. The run has no lining", "没有衬砌"),
     ] {
-        set(&folder, findings, pass);
-        for (language, wanted) in [(Language::English, english), (Language::Chinese, chinese)] {
-            let (found, text) = answer(&folder, language);
-            assert!(found == class && text.contains(wanted), "{class} {wanted}: {found} {text}");
+        for (pass, colour, word, zh) in
+            [(true, "good", "sound", "可靠"), (false, "warn", "with reservations", "有保留")]
+        {
+            set(&folder, findings.clone(), pass);
+            for (language, state, reliance) in
+                [(Language::English, english, word), (Language::Chinese, chinese, zh)]
+            {
+                let [(found, text), (relied, why)] = judged(&folder, language);
+                assert!(found == class && text.contains(state), "{class} {state}: {found} {text}");
+                assert!(relied == colour && why.contains(reliance), "{colour} {reliance}: {relied} {why}");
+            }
         }
     }
+}
+
+/// A shear utilisation of 2.06 beside a lining whose law computes no damage.
+#[test]
+fn shear_beyond_strength_fails_where_no_damage_is_computed() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = results(temp.path(), &["A"]);
+    set(&folder, vec![finding("hall.lining", Severity::Undamaged, &[])], true);
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    let mut section = SectionStrength { yields: true, ..sheets::judged(0.4) };
+    section.shear.as_mut().unwrap().value = 2.06;
+    summary.parts.sections.insert("hall.lining".into(), section);
+    let modes = FailureModes {
+        law: "concrete-damage".into(),
+        thrust_moment: JudgedBy::Law,
+        shear: JudgedBy::Section,
+        stations: 64,
+    };
+    summary.parts.failure_modes.insert("hall.lining".into(), modes);
+    summary.write(&folder.summary()).unwrap();
+    let [(class, text), _] = judged(&folder, Language::English);
+    assert_eq!(class, "bad");
+    assert_eq!(
+        text,
+        "State: fails. Shear utilisation of hall.lining: 2.06 (limit 1) at (3.2, 1.5, −21.8) m. This model does not \
+         compute shear failure of a section."
+    );
+    // Without the section nothing judges shear.
+    summary.parts.sections.clear();
+    summary.parts.failure_modes["hall.lining"].shear = JudgedBy::Nothing;
+    summary.write(&folder.summary()).unwrap();
+    let [(class, text), _] = judged(&folder, Language::English);
+    assert!(class == "warn" && text.contains("not judged. Shear of hall.lining: this model"), "{text}");
+}
+
+/// Limits are met up to the end of a run that lacks 40 % of the shaking.
+#[test]
+fn limits_of_a_run_that_is_cut_short_are_not_met_yet() {
+    let temp = tempfile::tempdir().unwrap();
+    let folder = sheets::results(temp.path());
+    let mut summary = Summary::read(&folder.summary()).unwrap();
+    summary.case.report.limits = [("utilisation".to_owned(), 1.0)].into();
+    let line = TrustLine::at_most(
+        "motion_not_run",
+        said!("share of the motion after the end of the run"),
+        0.4,
+        0.01,
+        "",
+    );
+    summary.soundness.trust = vec![line];
+    summary.case.before = vec!["xmin is 3.5 m from an opening; use at least 23 m".into()];
+    summary.write(&folder.summary()).unwrap();
+    let [(class, text), (relied, why)] = judged(&folder, Language::English);
+    assert_eq!(
+        (class.as_str(), text.as_str()),
+        ("warn", "State: not judged. Shaking not run: 40.0 % (limit 1 %).")
+    );
+    assert!(relied == "bad" && why.contains("not to be used. 0 of 1 checks"), "{why}");
+    assert!(why.contains("Warning of the case: xmin is 3.5 m from an opening."), "{why}");
+    let page = fs::read_to_string(write_in(folder.root(), Language::English).unwrap()).unwrap();
+    assert!(page.contains(">met so far<") && !page.contains("limits of acceptance are met"));
 }
 
 /// Three monitors, of which C moves fifty times as far as it did and the others hardly along z, with the pairs A-B and A-C;
@@ -242,13 +306,13 @@ fn parts_what_was_there_before_and_the_volume_of_rock_are_told() {
 }
 
 #[test]
-fn up_to_three_checks_that_warn_are_named() {
+fn up_to_two_reasons_of_the_reliance_are_told() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
     for (warn, wanted) in [
-        (1, "0 of 1 checks pass. Read the one that warns first: check 1."),
-        (3, "0 of 3 checks pass. Read those that warn first: check 1; check 2; check 3."),
-        (5, "0 of 5 checks pass. Read those that warn first: check 1; check 2; check 3, and 2 more."),
+        (1, "0 of 1 checks of the run pass. Check 'check 1': "),
+        (3, "One more reason is in summary.json."),
+        (4, "2 more reasons are in summary.json."),
     ] {
         let mut summary = Summary::read(&folder.summary()).unwrap();
         let line =
@@ -256,7 +320,8 @@ fn up_to_three_checks_that_warn_are_named() {
         summary.soundness.trust =
             (1..=warn).map(|k| TrustLine { name_said: Default::default(), ..line(k) }).collect();
         summary.write(&folder.summary()).unwrap();
-        let page = fs::read_to_string(write_in(folder.root(), Language::English).unwrap()).unwrap();
-        assert!(page.contains(wanted), "{wanted}");
+        let [_, (_, why)] = judged(&folder, Language::English);
+        assert!(why.contains(wanted), "{wanted}: {why}");
+        assert_eq!(why.matches("Check '").count(), warn.min(2), "{why}");
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Finding, Said};
+use crate::{Finding, Judgement, Reliance, Said, State};
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,8 +23,12 @@ pub enum Status {
 pub struct Conclusion {
     /// How the run ended.
     pub status: Status,
-    /// The outcome in a few sentences, for people: that of the run, then that of each structure.
+    /// The outcome in a few sentences, for people: that of the run, both classes, then that of each structure.
     pub verdict: String,
+    /// Whether the lining withstands, with the reasons.
+    pub state: Judgement<State>,
+    /// How far the results can be used, with the reasons.
+    pub reliance: Judgement<Reliance>,
     /// How the run went: the first part of the verdict.
     pub outcome: String,
     /// The same as a pattern; empty in files of other versions.

@@ -3,7 +3,10 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{BoltPlace, BoltSummary, GroupDamage, GroupStress, InterfaceSummary, PairPlace, SectionStrength};
+use crate::{
+    BoltPlace, BoltSummary, FailureModes, GroupDamage, GroupStress, InterfaceSummary, PairPlace,
+    SectionStrength,
+};
 
 /// What became of the parts of the model, by name: groups of elements, interfaces, groups of bolts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -21,6 +24,9 @@ pub struct PartFacts {
     /// Lining → what its sections use of their strength; those that no code judges are left out.
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
     pub sections: IndexMap<String, SectionStrength>,
+    /// Lining → what judges each of its modes of failure; empty in files of older versions.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub failure_modes: IndexMap<String, FailureModes>,
     /// Group of bolts → what became of them.
     pub bolts: IndexMap<String, BoltSummary>,
     /// Monitor on a bolt → its segment.

@@ -1,5 +1,6 @@
 //! The tests of this crate, one binary.
 
+mod assessment;
 mod columns;
 mod cut;
 mod fields;

@@ -38,8 +38,11 @@ fn with(text: &str, result: impl Fn(usize, usize) -> Result<f64, &'static str>) 
             fs::write(folder.bare(), &run.name).unwrap();
             let summary = folder.results().join("summary.json");
             match result(run.record.unwrap(), run.level.unwrap()) {
-                Ok(x) => fs::write(summary, format!("{{\"status\": \"done\", \"x\": {{\"value\": {x}}}}}"))
-                    .unwrap(),
+                Ok(x) => {
+                    let classes = r#""state": {"class": "withstands"}, "reliance": {"class": "sound"}"#;
+                    let text = format!("{{\"status\": \"done\", {classes}, \"x\": {{\"value\": {x}}}}}");
+                    fs::write(summary, text).unwrap();
+                }
                 Err("broken") => fs::write(folder.broken(), "refused\n").unwrap(),
                 Err("pending") => {}
                 Err("missing") => fs::write(summary, "{\"status\": \"done\"}").unwrap(),
@@ -76,11 +79,12 @@ fn runs_that_have_no_result_are_told_and_counted_as_asked_for() {
     let shares: Vec<(usize, usize)> = half.shares.iter().map(|s| (s.exceeded, s.of)).collect();
     assert_eq!(shares, [(0, 2), (1, 2), (2, 3), (3, 3)]);
     assert!(half.fit.is_some_and(|fit| fit.theta > 0.15 && fit.theta < 0.3), "{half:?}");
-    // At 10 the stopped run alone: separated, and said.
+    // At 10 the stopped run alone, at the highest level.
     assert!(
-        ten.fit.is_none() && ten.no_curve.contains("separated") && ten.no_curve.contains("some are at 0.4 g"),
+        ten.fit.is_none() && ten.no_curve.starts_with("only the highest level, 0.4 g, exceeds"),
         "{ten:?}"
     );
+    assert!(ten.no_curve.contains("(1 of 3 runs)") && ten.no_curve.contains("add levels above 0.4 g"));
     let left_out = STUDY.replace("\"exceeds\"", "\"left-out\"");
     let (found, _) = with(&left_out, result);
     assert_eq!(found.fragilities[0].counted, 9);
@@ -88,6 +92,18 @@ fn runs_that_have_no_result_are_told_and_counted_as_asked_for() {
     assert!(found.fragilities[1].no_curve.contains("no run is beyond"), "{:?}", found.fragilities[1]);
     let table = csv(&found);
     assert!(table.lines().count() == 13 && table.contains("restless,It failed."), "{table}");
+}
+
+#[test]
+fn state_and_reliance_of_each_run_stand_in_the_table() {
+    let (found, _) = with(STUDY, |_, level| if level == 0 { Err("missing") } else { Ok(1.0) });
+    let table = csv(&found);
+    let head: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| head.iter().position(|h| *h == name).unwrap();
+    let cells = |line: &str, name: &str| line.split(',').nth(column(name)).unwrap().to_owned();
+    let lines: Vec<&str> = table.lines().skip(1).collect();
+    assert_eq!(["state", "reliance"].map(|name| cells(lines[1], name)), ["withstands", "sound"]);
+    assert_eq!(["state", "reliance"].map(|name| cells(lines[0], name)), ["", ""]);
 }
 
 #[test]

@@ -174,6 +174,13 @@ impl SectionForces {
         bounds.into_iter().map(|(lining, bounds)| (lining.to_owned(), of(bounds))).collect()
     }
 
+    /// Stations of each lining.
+    pub fn counts(&self) -> IndexMap<String, u64> {
+        let mut counts = IndexMap::new();
+        self.stations.iter().for_each(|(lining, _)| *counts.entry(lining.clone()).or_insert(0) += 1);
+        counts
+    }
+
     /// The stations, each with the group that it is in and the bars in it.
     pub(super) fn stations(&self) -> impl Iterator<Item = (&(String, Station), &Vec<Steel>)> {
         self.stations.iter().zip(&self.steel)

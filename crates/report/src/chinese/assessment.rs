@@ -1,0 +1,88 @@
+//! Of state and reliance.
+
+use super::Texts;
+
+pub const TEXTS: Texts = &[
+    ("State: ", "状态："),
+    ("Reliance: ", "可信度："),
+    ("reliance", "可信度"),
+    ("withstands", "能承受"),
+    ("not judged", "未作判断"),
+    ("damaged", "已受损"),
+    ("fails", "不满足"),
+    ("sound", "可靠"),
+    ("with reservations", "有保留"),
+    ("not to be used", "不可采用"),
+    ("State: {state}. Reliance: {reliance}.", "状态：{state}。可信度：{reliance}。"),
+    (". ", "。"),
+    ("There is no summary of the run.", "没有本次计算的摘要。"),
+    ("{group}: no damage computed.", "{group}：未计算出损伤。"),
+    ("No damage is computed.", "未计算出损伤。"),
+    ("No damage is computed. No earthquake has come.", "未计算出损伤。尚未经历地震。"),
+    ("No utilisation is above 1.", "利用率均不大于 1。"),
+    ("One more reason is in summary.json.", "另有一条理由，见 summary.json。"),
+    ("{more} more reasons are in summary.json.", "另有 {more} 条理由，见 summary.json。"),
+    (
+        "Pieces of {lining} have come loose; this model does not follow them.",
+        "{lining} 有块体脱离；本模型不追踪其运动。",
+    ),
+    ("{lining}: cracks run through its thickness.", "{lining}：裂缝贯穿厚度。"),
+    ("{lining}: cracked.", "{lining}：开裂。"),
+    ("{lining}: cracked, and crushed or sheared.", "{lining}：开裂，并有压碎或剪切破坏。"),
+    ("{lining}: crushed or sheared.", "{lining}：压碎或剪切破坏。"),
+    ("{lining}: yielded in shear.", "{lining}：剪切屈服。"),
+    ("{lining}: yielded in tension.", "{lining}：受拉屈服。"),
+    ("{lining}: hardly damaged.", "{lining}：损伤轻微。"),
+    ("{group}: {headline}.", "{group}：{headline}。"),
+    ("Bolts or bars of {group} broke.", "{group}：锚杆或钢筋拉断。"),
+    ("Bolts or bars of {group} yielded.", "{group}：锚杆或钢筋屈服。"),
+    ("The run failed.", "计算失败。"),
+    (
+        "The run has no lining: no stage installs one, and no material cracks.",
+        "本次计算没有衬砌：没有阶段施作衬砌，也没有会开裂的材料。",
+    ),
+    ("Shaking not run: {share} % (limit 1 %).", "未计算的地震动：{share} %（限值 1 %）。"),
+    ("No check applies.", "没有适用的检查。"),
+    ("Warning of the case: {message}.", "算例警告：{message}。"),
+    (
+        "Shear utilisation of {lining}: {value} (limit 1) at ({place}) m.",
+        "{lining} 的抗剪利用率：{value}（限值 1），位于 ({place}) m。",
+    ),
+    (
+        "Utilisation of {lining} in thrust and moment: {value} (limit 1) at ({place}) m.",
+        "{lining} 的轴力与弯矩利用率：{value}（限值 1），位于 ({place}) m。",
+    ),
+    ("This model does not compute shear failure of a section.", "本模型不计算截面的剪切破坏。"),
+    ("The lining's own law cracks: read both.", "该衬砌的本构可开裂：请对照阅读。"),
+    (
+        "{quantity}: {found} (limit {limit}) at {subject}.",
+        "{quantity}：{found}（限值 {limit}），位于 {subject}。",
+    ),
+    ("{quantity}: not known (limit {limit}).", "{quantity}：未知（限值 {limit}）。"),
+    ("{quantity}: no material of this run can crack.", "{quantity}：本次计算中没有会开裂的材料。"),
+    (
+        "{lining}: {some} of {all} stations judged by [[section]]. Name all groups of the lining in it.",
+        "{lining}：[[section]] 仅验算 {all} 个截面中的 {some} 个。请在其中列出衬砌的所有单元组。",
+    ),
+    ("Shear of {lining}: {code} has no clause for it.", "{lining} 的抗剪：{code} 没有相应条文。"),
+    (
+        "No strength is known for {lining} (law {law}). Add a [[section]] to judge it.",
+        "{lining}（本构 {law}）的强度未知。请添加 [[section]] 加以验算。",
+    ),
+    (
+        "Shear of {lining}: this model does not compute shear failure of a section. Add a [[section]] to judge it.",
+        "{lining} 的抗剪：本模型不计算截面的剪切破坏。请添加 [[section]] 加以验算。",
+    ),
+    ("Check '{name}': no value.", "检查“{name}”：没有数值。"),
+    ("Check '{name}': {value} (limit {limit}).", "检查“{name}”：{value}（限值 {limit}）。"),
+    (
+        "tension {stress} MPa (limit {strength} MPa, f_ctd by [[section]])",
+        "拉应力 {stress} MPa（限值 {strength} MPa，[[section]] 的 f_ctd）",
+    ),
+    (
+        "Largest at {time} s in element {element} at {place}. Its law is elastic and does not crack.",
+        "最大值出现在 {time} s，单元 {element}，{place}。其本构为弹性，不会开裂。",
+    ),
+    ("nothing moved in the initial equilibrium and in the stages", "初始平衡与各阶段均无位移"),
+    ("no energy was supplied", "没有输入能量"),
+];
