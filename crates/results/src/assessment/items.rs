@@ -186,7 +186,7 @@ pub const RELIANCE: [Item<Reliance>; 6] = [
     },
     Item {
         id: "check_far_beyond_limit",
-        condition: "a check is far beyond its limit (the second table)",
+        condition: "a check is far beyond its limit (the table of checks)",
         class: Reliance::NotToBeUsed,
         reasons: |run| run.of_checks(true),
     },
