@@ -4,8 +4,11 @@ use indexmap::IndexMap;
 use tremolite_engine::engine::Rest;
 use tremolite_engine::state::{Memory, State};
 use tremolite_engine::{Engine, Model};
+use tremolite_kernels::{Booked, Line};
 
-/// Share of the energy held before a step beyond which its loss in the step is a snap-back.
+/// Share of the energy at stake in a step beyond which its loss in the step is a snap-back. At stake is what the model held before the
+/// step, or what a step of this way stores in the sound model where that is more: the energy that is held passes through zero where a
+/// load reverses.
 ///
 /// A bar whose softening is just stable loses none; one that is twice as long as it may be loses most of what it holds (test
 /// `specimens`).
@@ -15,6 +18,8 @@ const EACH: usize = 6;
 const HELD: &str = "energy held in stages";
 /// What the relaxation's damping takes of a way, over its square \[J/m²\].
 const DRAG: &str = "drag of stages";
+/// What the first way stored at least in the sound model, over its square \[J/m²\]: half of the reactions' growth times the way.
+const STIFFNESS: &str = "stiffness of stages";
 
 /// Work \[J\] of what stages moved, by size, and what the damping of the relaxation took of it.
 const WORK: &str = "work of stages";
@@ -52,7 +57,7 @@ pub(crate) const QUANTITIES: [(&str, &str); EACH] =
 pub(crate) struct MovedNodes {
     /// By name: way \[m\] and force \[N\]; not a number along what is free.
     each: Vec<(String, [f64; EACH])>,
-    /// What elements hold, and what laws have dissipated since the start \[J\].
+    /// What elements, bars, bolts and interfaces hold, and what they have dissipated since the start \[J\].
     held: f64,
     dissipated: f64,
 }
@@ -75,10 +80,12 @@ impl MovedNodes {
             (one.name.clone(), row)
         });
         let each = each.collect();
-        // Of several ranks the first alone sees all elements.
-        let energy = engine.look(state).snapshot.energy;
-        let held: f64 = energy.iter().map(|element| element.held()).sum();
-        let sums = engine.from_first(&[held, energy.iter().map(|element| element.dissipated).sum()]);
+        let balance = engine.look(state).snapshot.balance;
+        let sum = |booked: Booked| -> f64 {
+            let lines = Line::ALL.iter().filter(|line| line.booked() == booked && line.sign() > 0.0);
+            lines.map(|&line| balance[line]).sum()
+        };
+        let sums = engine.from_first(&[sum(Booked::Stored), sum(Booked::Spent)]);
         MovedNodes { each, held: sums[0], dissipated: sums[1] }
     }
 
@@ -88,26 +95,35 @@ impl MovedNodes {
     /// nothing should crack, says how much of that is none.
     pub fn snapped_back(&self, memory: &mut Memory, stage: usize, rest: &Rest) -> Option<(f64, f64)> {
         let before = *memory.get(HELD)?.last()?;
-        let mut square = 0.0;
+        let (mut square, mut gained) = (0.0, 0.0);
         for (name, now) in &self.each {
             let earlier = of_stage(memory, name, stage.checked_sub(1)?)?;
-            let ways = (0..3).map(|i| now[i] - earlier[i]).filter(|way| way.is_finite());
-            square += ways.map(|way| way * way).sum::<f64>();
+            for i in (0..3).filter(|&i| (now[i] - earlier[i]).is_finite()) {
+                let way = now[i] - earlier[i];
+                square += way * way;
+                gained += 0.5 * (now[i + 3] - earlier[i + 3]) * way;
+            }
         }
         if square == 0.0 {
             return None;
         }
-        let drag = memory.entry(DRAG.into()).or_insert_with(|| vec![rest.damped / square])[0];
+        let Some(drag) = memory.get(DRAG).map(|kept| kept[0]) else {
+            memory.insert(DRAG.into(), vec![rest.damped / square]);
+            memory.insert(STIFFNESS.into(), vec![gained.max(0.0) / square]);
+            return None;
+        };
+        let stiffness = memory.get(STIFFNESS).map_or(0.0, |kept| kept[0]);
+        let at_stake = before.max(stiffness * square);
         let lost = rest.damped - drag * square;
-        if before == 0.0 {
+        if at_stake <= 0.0 {
             return None;
         }
-        if lost > MOST_LOST * before {
-            return Some((lost, before));
+        if lost > MOST_LOST * at_stake {
+            return Some((lost, at_stake));
         }
         let known = memory.entry(LOST.into()).or_insert_with(|| vec![0.0; 2]);
-        if lost / before > known[0] {
-            *known = vec![lost / before, stage as f64];
+        if lost / at_stake > known[0] {
+            *known = vec![lost / at_stake, stage as f64];
         }
         None
     }

@@ -305,15 +305,15 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
             "choose an interval well below the duration",
         )]));
     }
+    let acting = sides::acting(case, &mesh, &bodies, base);
     let mut problem = Problem::new(mesh, bodies);
     problem.interfaces = interfaces;
     problem.bolts = bolts;
     let reinforcement = bars.len();
     problem.bolts.extend(bars);
     reinforcement::tell_apart(&mut problem.bolts);
-    problem.base = base;
+    (problem.sides, problem.base) = acting;
     problem.side_springs = sides::has_springs(case);
-    problem.sides = dynamic.sides.each_ref().map(|s| sides::side(s.value));
     problem.top = sides::top(dynamic.top.value);
     let (incident, recorded) = entering.map(|entering| (entering.incident, entering.recorded)).unzip();
     problem.incident = incident;

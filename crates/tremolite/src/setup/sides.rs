@@ -1,8 +1,8 @@
 //! Sides and top of a case: what they become, and what of them is refused or unusual.
 
 use tremolite_case::{self as case, Case, Diagnostic, units};
-use tremolite_engine::outer_faces::NEAR;
-use tremolite_engine::{Side, Top};
+use tremolite_engine::outer_faces::{NEAR, OuterFaces};
+use tremolite_engine::{Base, Body, Side, Top};
 use tremolite_laws::Dimension;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::sides::sides;
@@ -42,6 +42,26 @@ pub fn check_springs(case: &Case, at_angles: bool, problems: &mut Vec<Diagnostic
     };
     let what = format!("`side_springs` act against the ground outside free-field sides, but {what}");
     problems.push(Diagnostic::at(&case.dynamic.base, what, remedy));
+}
+
+/// What acts on the sides across x and y, and on a base. A specimen that stands free without an earthquake may have any shape: where it has no
+/// faces on a plane, nothing acts there.
+pub fn acting(case: &Case, mesh: &Mesh, bodies: &[Body], base: Base) -> ([Side; 2], Base) {
+    let given = [0, 1].map(|axis| side(case.dynamic.sides[axis].value));
+    let [x, y] = [0, 1].map(|axis| {
+        let holds = matches!(given[axis], Side::Periodic | Side::Fixed);
+        !holds && case.initial.sides[axis].value == case::SideHold::Free
+    });
+    let stands = case.initial.base.value == case::BaseHold::Free;
+    if case.motion.is_some() || !(x || y || stands) {
+        return (given, base);
+    }
+    let elements: Vec<u32> = bodies.iter().flat_map(|body| body.elements.iter().copied()).collect();
+    let outer = OuterFaces::of(mesh, mesh.bounds(), &elements);
+    let curved = |axis: usize| outer.planes[axis].iter().any(Vec::is_empty);
+    let sides = [0, 1].map(|axis| if [x, y][axis] && curved(axis) { Side::Free } else { given[axis] });
+    let base = if stands && outer.planes[2][0].is_empty() { Base::Free } else { base };
+    (sides, base)
 }
 
 pub fn top(top: case::Top) -> Top {
