@@ -80,6 +80,39 @@ fn slips_of_units_are_warned_of_and_a_new_case_has_none() {
     }
 }
 
+/// Damping in proportion to the mass acts on pieces that slide or come loose as on all else: against the model's frame.
+#[test]
+fn mass_damping_is_warned_of_where_something_may_slide_or_come_loose() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    tremolite(at, &["new", "study"]);
+    let text = std::fs::read_to_string(at.join("study/case.toml")).unwrap();
+    assert!(text.contains("band"), "the case that `new` writes is damped over a band");
+    let warned = |more: &str, set: &[&str]| {
+        std::fs::write(at.join("study/case.toml"), format!("{text}{more}")).unwrap();
+        let mut args = vec!["check", "study/case.toml"];
+        args.extend(set.iter().flat_map(|set| ["--set", set]));
+        let done = tremolite(at, &args);
+        assert_eq!(code(&done), 0, "{}", errors(&done));
+        errors(&done)
+    };
+    let mass = "dynamic.damping={ rayleigh = { mass = \"0.3 1/s\" } }";
+    let joint = "[[interface]]\nname = \"back\"\nbetween = [\"hall.lining\", \"rock\"]\nlaw = \"bandis\"\nmax_closure = \"1 mm\"\nfriction = 0.6\n";
+    let words = "It reduces the slip of such pieces";
+    assert!(!warned("", &[mass]).contains(words));
+    assert!(!warned(joint, &[]).contains(words));
+    let said = warned(joint, &[mass]);
+    assert!(said.contains(words) && said.contains("the interface 'back' may slide"), "{said}");
+    // The remedy is taken as it is written.
+    let remedy = "dynamic.damping={ ratio = 0.02, band = [\"0.5 Hz\", \"20 Hz\"], reference = \"0 Hz\" }";
+    assert!(said.contains("ratio = 0.02, band = [\"0.5 Hz\", \"20 Hz\"], reference = \"0 Hz\""), "{said}");
+    assert!(!warned(joint, &[remedy]).contains("rayleigh"));
+    let tied = joint.replace("law = \"bandis\"\nmax_closure = \"1 mm\"\nfriction = 0.6\n", "law = \"tied\"\n");
+    assert!(!warned(&tied, &[mass]).contains(words));
+    let concrete = "material.concrete={ law = \"concrete-damage\", grade = \"C25/30\", friction_angle = \"37 deg\", unit_weight = \"25 kN/m3\" }";
+    assert!(warned("", &[mass, concrete]).contains("'hall.lining' may come loose"));
+}
+
 /// A look at 147,000 elements and more takes longer than the slip deserves: its mesh is not even made. What is small goes on, and so does
 /// who asks for all.
 #[test]

@@ -287,6 +287,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(motion.and_then(|motion| doubts::of_duration(case, motion, late)));
     warnings.extend(motion.and_then(|motion| unlikely::duration(case, motion)));
     warnings.extend(motion.and_then(|motion| doubts::of_mass_damping(case, motion)));
+    warnings.extend(doubts::of_braked_pieces(case, &bodies));
     warnings.extend(motion.and_then(|motion| doubts::of_rows(case, motion)));
     let more: Vec<_> = staged.saturated.iter().map(|&body| (body, staged.materials[body])).collect();
     let materials = materials::facts(case, &mesh, &laws.materials, &bodies, &more, reference);
