@@ -15,8 +15,17 @@ pub use levers::Levers;
 use ordered::{Ordered, cross, dot, minus, scaled};
 use std::ops::Range;
 pub use steel::Steel;
+use tremolite_engine::Body;
+use tremolite_kernels::Quadrature;
 use tremolite_laws::shapes::hex8::{Points, shape_values};
 use tremolite_mesh::Mesh;
+
+/// Whether what stands from the start and does not crack is a lining: by its layered elements, or by the name that the generator gives
+/// (`hall.lining`).
+pub fn is_lining(body: &Body, group: &str) -> bool {
+    let named = group.split('.').nth(1).is_some_and(|part| matches!(part, "lining" | "shotcrete"));
+    named || matches!(body.quadrature, Quadrature::Layered(_))
+}
 
 /// A station of a lining: a stack through its thickness with its axes, which are at right angles.
 #[derive(Clone, Debug)]

@@ -23,6 +23,29 @@ direction = "across"
 yield = "500 MPa"
 "#;
 
+/// Thrust and moment of a lining that no stage installs and that does not crack: it is a lining by its layered elements.
+#[test]
+fn an_elastic_lining_that_stands_from_the_start_has_sections() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    case(folder, "");
+    let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
+    let (start, end) = (text.find("[initial]").unwrap(), text.find("[motion]").unwrap());
+    let text = format!("{}{}", &text[..start], &text[end..]);
+    let void = "groups = [\"rock\"]\nmaterial = \"rock\"\nelement = \"one-point\"\n[[region]]\ngroups = [\"hall.bench*\"]\nmaterial = \"void\"";
+    let text = text.replace("before = \"rock\"\n", "").replace(
+        "groups = [\"rock\", \"hall.bench*\"]\nmaterial = \"rock\"\nelement = \"one-point\"",
+        void,
+    );
+    std::fs::write(folder.join("case.toml"), text).unwrap();
+    let ended = run(folder, "out", &["--overwrite"]);
+    assert_eq!(code(&ended), 0, "{}", errors(&ended));
+    let rows = read_sections(&folder.join("out/sections.csv")).unwrap();
+    let moved = rows.iter().filter(|row| row.lining == "hall.lining" && row.when == "max").count();
+    assert!(moved > 8, "{moved}");
+    assert!(rows.iter().any(|row| row.forces[1].abs() > 1.0), "no moment");
+}
+
 /// A round lined tunnel in rock under unlike pressures, shaken by a pulse. Elastic throughout.
 fn case(folder: &Path, more: &str) {
     let pulse: String = (0..30)

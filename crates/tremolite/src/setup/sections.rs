@@ -1,7 +1,7 @@
 //! The codes by which a case wants sections judged, with the elements that each is meant for.
 
 use super::groups::nothing_fits;
-use crate::sections::stations;
+use crate::sections::{is_lining, stations};
 use crate::strength::JudgedBy;
 use std::collections::{BTreeSet, HashMap};
 use tremolite_case::{Case, Diagnostic, Section, SectionCode, Spanned, pattern};
@@ -30,7 +30,7 @@ pub fn build(
             if fits.clone().next().is_none() {
                 problems.push(nothing_fits(mesh, on));
             }
-            let lined = lining(lives, bodies, mesh.elements.len());
+            let lined = lining(mesh, lives, bodies);
             let other = fits.clone().find(|(_, elements)| !elements.iter().any(|&e| lined[e as usize]));
             if let Some((name, _)) = other {
                 problems.push(no_lining(mesh, on, name, &lined));
@@ -70,11 +70,18 @@ pub fn build(
     all
 }
 
-/// Which elements are of linings: a stage installs them, or their material cracks.
-fn lining(lives: &[Life], bodies: &[Body], count: usize) -> Vec<bool> {
+/// Which elements are of linings: a stage installs them, their material cracks, or they are linings by [`is_lining`].
+fn lining(mesh: &Mesh, lives: &[Life], bodies: &[Body]) -> Vec<bool> {
+    let count = mesh.elements.len();
     let mut lined: Vec<bool> = (0..count).map(|e| lives.get(e).is_some_and(|life| life.is_later())).collect();
-    let cracks = bodies.iter().filter(|body| body.material.info().damages);
-    cracks.flat_map(|body| &body.elements).for_each(|&e| lined[e as usize] = true);
+    for body in bodies {
+        if body.material.info().damages || is_lining(body, "") {
+            body.elements.iter().for_each(|&e| lined[e as usize] = true);
+        }
+        let named = mesh.groups.iter().filter(|(name, _)| is_lining(body, name));
+        let own = named.flat_map(|(_, elements)| elements).filter(|e| body.elements.binary_search(e).is_ok());
+        own.for_each(|&e| lined[e as usize] = true);
+    }
     lined
 }
 
@@ -85,10 +92,10 @@ fn no_lining(mesh: &Mesh, on: &Spanned<String>, name: &str, lined: &[bool]) -> D
         mesh.groups.iter().filter(|(_, e)| all(e)).map(|(name, _)| name.as_str()).collect();
     Diagnostic::at(
         on,
-        format!("'{name}' is no lining: no stage installs it, and its material does not crack"),
+        format!("'{name}' is no lining: no stage installs it, its elements are not layered, and its material does not crack"),
         match linings.is_empty() {
             true => {
-                "install the lining in a stage, or give its concrete law = \"concrete-damage\"".to_owned()
+                "write element = \"layered\" for the lining, or install it in a stage".to_owned()
             }
             false => format!("name linings: {}", linings.join(", ")),
         },

@@ -1,18 +1,19 @@
 //! Where forces of linings are told: their stations, and the bars that lie in these.
 
 use crate::groups::all_groups;
-use crate::sections::{Station, Steel, stations};
+use crate::sections::{Station, Steel, is_lining, stations};
 use std::collections::HashMap;
 use tremolite_engine::{Model, Stage};
 
-/// The stations of whole groups that damage, or that begin with a stage, each with the name of its group.
+/// The stations of whole groups that are linings, each with the name of its group: those that damage, that begin with a stage, whose
+/// elements are layered, or that the generator calls so.
 pub(in crate::observers) fn lined(model: &Model) -> Vec<(String, Station)> {
     let mut standing = vec![false; model.mesh.elements.len()];
     model.standing(Stage::Shaking).iter().for_each(|&e| standing[e as usize] = true);
     let mut all = Vec::new();
     for group in all_groups(model) {
         let later = group.elements.iter().any(|&e| model.elements.lives[e as usize].is_later());
-        if group.whole && (later || group.body.material.info().damages) {
+        if group.whole && (later || group.body.material.info().damages || is_lining(group.body, group.name)) {
             let found = stations(&model.mesh, &group.elements, &standing);
             all.extend(found.into_iter().map(|station| (group.name.to_owned(), station)));
         }
