@@ -59,11 +59,24 @@ impl Clock {
 ///
 /// # Errors
 /// If a file cannot be written. A physical or numerical failure is no error here but an [`Ending`].
-pub fn run(mut simulation: Simulation, control: &mut Control) -> Result<Outcome, RunError> {
+pub fn run(simulation: Simulation, control: &mut Control) -> Result<Outcome, RunError> {
+    run_checking(simulation, control, &mut |_, _| {})
+}
+
+/// The same, with a look at the simulation whenever a stage, by its number, is at rest. [`Control::stop`], set there, ends the run before the
+/// next.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_checking(
+    mut simulation: Simulation,
+    control: &mut Control,
+    at_rest: &mut dyn FnMut(&Simulation, usize),
+) -> Result<Outcome, RunError> {
     let begin = Instant::now();
     let mut tell = Clock::new(Some(TELL));
     let mut keep = Clock::new(simulation.plan().checkpoint.map(Duration::from_secs_f64));
-    let ending = through_stages(&mut simulation, control, &mut tell, &mut keep)?;
+    let ending = through_stages(&mut simulation, control, &mut tell, &mut keep, at_rest)?;
     let stage_seconds = begin.elapsed().as_secs_f64();
     let ending = match ending {
         Some(ending) => ending,
@@ -78,6 +91,7 @@ fn through_stages(
     control: &mut Control,
     tell: &mut Clock,
     keep: &mut Clock,
+    at_rest: &mut dyn FnMut(&Simulation, usize),
 ) -> Result<Option<Ending>, RunError> {
     let Control { stop, progress } = control;
     let stages = simulation.plan().stages.len() as f64;
@@ -101,7 +115,7 @@ fn through_stages(
             }
         })?;
         match end {
-            StageEnd::AtRest(_) => {}
+            StageEnd::AtRest(_) => at_rest(simulation, stage),
             StageEnd::Stopped => return Ok(Some(Ending::Stopped)),
             StageEnd::Restless { relaxed, place } => {
                 return Ok(Some(Ending::Restless { stage: name, relaxed, place }));

@@ -19,8 +19,10 @@ use crate::fingerprint::fingerprint;
 use crate::levels::{levels, longest_step};
 use crate::observers::{
     Apart, Audience, Event, OwnObservers, Setting, check_tables, forget_own_tables, observers_among_ranks,
+    summaries,
 };
 use crate::plan::{Plan, Steps};
+use crate::trust;
 use shaking::Shaking;
 use std::sync::Arc;
 use tremolite_engine::assembly::Assembly;
@@ -33,7 +35,7 @@ use tremolite_engine::phase::beats::span;
 use tremolite_engine::ranks::Columns;
 use tremolite_engine::state::{Memory, State};
 use tremolite_engine::{ModelError, Ranks, StableStep, Stage, finer_levels, stable_step};
-use tremolite_results::ResultFolder;
+use tremolite_results::{ResultFolder, TrustLine};
 
 /// The step of the finest level that a model runs with, and the plan in steps.
 pub fn choose_step(model: &Model, plan: &Plan, stable: &StableStep) -> (f64, Steps) {
@@ -448,6 +450,13 @@ impl Simulation {
 
     pub fn assembly(&self) -> &Arc<Assembly> {
         &self.assembly
+    }
+
+    /// Checks whose value is known of the stages that are at rest: the same that the summary will have.
+    pub fn checks_of_stages(&self) -> Vec<TrustLine> {
+        let memory = &self.state.observers;
+        let stages = summaries(&self.model, &self.plan, memory);
+        trust::of_stages(&self.model, &self.plan, &stages, memory)
     }
 
     pub fn plan(&self) -> &Plan {

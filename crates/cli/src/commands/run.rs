@@ -9,13 +9,13 @@ use crate::machine;
 use crate::ranks::{self, Started};
 use crate::signals::stop_flag;
 use crate::terminal::{ProgressLine, say, tell};
-use messages::{Log, after, before, busy, progress, shared_out};
+use messages::{Log, after, before, busy, check, progress, shared_out};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tremolite::RunError;
 use tremolite::job::{Begun, Caller, Job};
 use tremolite::run::{Control, Progress};
-use tremolite::simulation::{Ending, Start};
+use tremolite::simulation::{Ending, Simulation, Start};
 use tremolite_results::{Error, ResultFolder, Status, Summary};
 
 #[derive(clap::Args)]
@@ -46,7 +46,8 @@ pub struct Args {
     /// Run though this machine has hardly the memory or the disk for it
     #[arg(long)]
     allow: bool,
-    /// End with status 1 where a check of the run fails or the case is warned of; results are kept
+    /// End with status 1 where a check of the run fails or the case is warned of, before the earthquake where a check of the stages fails;
+    /// results are kept
     #[arg(long)]
     strict: bool,
 }
@@ -232,7 +233,20 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
         log.keep(&format!("error: {why}"));
         refused(why)
     })?;
-    let outcome = tremolite::run::run(simulation, &mut control);
+    let (mut told, mut failing) = (Vec::new(), false);
+    let mut at_rest = |simulation: &Simulation, _: usize| {
+        let looks = simulation.checks_of_stages().into_iter().filter(|line| !line.not_applicable && !line.pass);
+        for look in looks.filter(|look| !told.contains(&look.id)).collect::<Vec<_>>() {
+            log.say(&check(&look));
+            told.push(look.id);
+            failing = true;
+        }
+        if args.strict && failing && job.motion.is_some() {
+            stop.store(true, Ordering::Relaxed);
+        }
+    };
+    let outcome = tremolite::run::run_checking(simulation, &mut control, &mut at_rest);
+    let ended_by_checks = args.strict && failing && matches!(&outcome, Ok(outcome) if !outcome.shaken);
     line.end();
     let outcome = outcome.map_err(Failure::failed)?;
     let busy = ranks.map(|ranks| busy(&ranks, outcome.held));
@@ -246,6 +260,10 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
         if args.strict && matches!(outcome.ending, Ending::Done) && (warned || summary.warnings() > 0) {
             return Ok(Code::Failed);
         }
+    }
+    if ended_by_checks && matches!(outcome.ending, Ending::Stopped) {
+        log.say("--strict: a check of the stages fails, so the earthquake was not run. --resume without it goes on.");
+        return Ok(Code::Failed);
     }
     Ok(match outcome.ending {
         Ending::Done => Code::Done,

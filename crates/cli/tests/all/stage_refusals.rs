@@ -1,6 +1,6 @@
 //! Stages that are refused, and checks of stages that fail.
 
-use crate::stage_case::{LATERAL, STAGES, bytes, case, change, check, code, errors, run, tremolite};
+use crate::stage_case::{LATERAL, SHAKING, STAGES, bytes, case, change, check, code, errors, run, tremolite};
 use serde_json::Value;
 
 #[test]
@@ -121,6 +121,38 @@ fn checks_of_what_came_before_fail_where_they_should() {
     // Without a stage the stress alone is judged.
     let alone = verdicts(found(level, ""));
     assert_eq!((alone[1], alone[2]), (None, Some(false)));
+}
+
+/// A stress that is the same at every height has no weight in it: `check` says so by one evaluation of the forces, a run once the initial
+/// equilibrium is found, and a strict run ends there.
+#[test]
+fn an_initial_stress_out_of_balance_is_told_before_the_earthquake_and_ends_a_strict_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let level = "stress = { xx = \"-0.1 MPa\", yy = \"-0.1 MPa\", zz = \"-0.2 MPa\" }\nrelease_cycles = 50\ntolerance = 1e-4\n";
+    let words = "vertical forces out of balance under the initial stress";
+    case(folder, LATERAL, STAGES, SHAKING);
+    assert!(!check(folder).2.contains(words));
+    let sound = run(folder, "sound", &["--overwrite"]);
+    assert_eq!(code(&sound), 0, "{}", errors(&sound));
+    case(folder, level, STAGES, SHAKING);
+    let warned = check(folder).2;
+    assert!(warned.contains(words) && warned.contains("(limit 25 %)"), "{warned}");
+    let strict = run(folder, "strict", &["--overwrite", "--strict"]);
+    assert_eq!(code(&strict), 1);
+    let said = String::from_utf8_lossy(&strict.stdout).into_owned() + &errors(&strict);
+    let look = "LOOK change of the initial stress by the initial equilibrium, relative";
+    assert!(said.contains(look) && said.contains("--strict: a check of the stages fails"), "{said}");
+    let summary: Value = serde_json::from_slice(&bytes(folder, "strict", "summary.json")).unwrap();
+    assert_eq!(summary["stages"].as_array().unwrap().len(), 1, "it ends with the initial equilibrium");
+    // Without the word it goes on, and has said it all the same.
+    let plain = run(folder, "plain", &["--overwrite"]);
+    assert_eq!(code(&plain), 0);
+    let said = String::from_utf8_lossy(&plain.stdout).into_owned() + &errors(&plain);
+    assert!(said.matches(look).count() == 2, "{said}");
+    // A strict run goes on from there once it need not be strict.
+    let resumed = run(folder, "strict", &["--resume"]);
+    assert_eq!(code(&resumed), 0, "{}", errors(&resumed));
 }
 
 /// A bench that is left out of a list of them leaves the lining beside solid rock.

@@ -4,7 +4,7 @@ use crate::history::History;
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
-use tremolite_engine::engine::Engine;
+use tremolite_engine::engine::{Engine, Release};
 use tremolite_engine::hexahedra::{centroid, hex};
 use tremolite_engine::ties::Ties;
 use tremolite_engine::water::with_pressure;
@@ -28,6 +28,9 @@ pub struct AtRest {
     pub largest: Option<(f64, [f64; 3])>,
     /// Where the walls of what is taken out are loaded most for their strength.
     pub wall: Option<Wall>,
+    /// Vertical forces out of balance, summed by size over the nodes that are free, over the weight of what stands at first; none
+    /// without weight.
+    pub imbalance: Option<f64>,
 }
 
 /// An opening's wall before its rock yields.
@@ -59,7 +62,7 @@ pub fn at_rest(
     let history = History::new(assembly, &seen.history);
     let strengths: Vec<Option<f64>> = model.bodies.iter().map(strength).collect();
     let extents = if along_y { extents(model) } else { None };
-    let mut found = AtRest::default();
+    let mut found = AtRest { imbalance: imbalance(model, assembly, first), ..AtRest::default() };
     let volume = |e: usize| hex(&model.mesh, e).ok().map(|shape| shape.volume);
     let volumes: Vec<Option<f64>> = (0..model.user.elements).into_par_iter().map(volume).collect();
     for ((e, slot), volume) in first.element_slot.iter().enumerate().zip(volumes) {
@@ -94,6 +97,27 @@ pub fn at_rest(
         }
     }
     Some(found)
+}
+
+/// See [`AtRest::imbalance`]: of one evaluation of the forces. A vertical stress that is the weight above leaves nothing, whatever the
+/// horizontal ones are.
+fn imbalance(model: &Arc<Model>, assembly: &Arc<Assembly>, first: &Arc<Phase>) -> Option<f64> {
+    let mut state = assembly.rest();
+    // The relaxation evaluates all forces and is stopped before its second cycle.
+    Engine::new(model, assembly, first).relax_watched(&mut state, &Release::default(), &mut |_, rest| {
+        rest.cycles == 0
+    });
+    let free = |node: usize| first.inverse_mass[node].0[2] > 0.0;
+    let counts = |node: usize| model.nodes.counts(node);
+    let forces = state.held.iter().enumerate().filter(|(node, _)| free(*node) && counts(*node));
+    let out: f64 = forces.map(|(_, force)| force.0[2].abs()).sum();
+    let standing = model.standing(first.stage);
+    let weight = |&e: &u32| -> Option<f64> {
+        let body = model.elements.body_of[e as usize]?;
+        Some(model.bodies[body].density * hex(&model.mesh, e as usize).ok()?.volume)
+    };
+    let weight = model.loading.gravity * standing.iter().filter_map(weight).sum::<f64>();
+    (weight > 0.0).then_some(out / weight)
 }
 
 /// 3σ₁ − σ₃, compression positive, of a stress in a plane, tension positive \[Pa\].

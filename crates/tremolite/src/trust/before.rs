@@ -3,7 +3,10 @@
 use crate::evidence::Evidence;
 use crate::observers::{Beginning, uneven};
 use crate::places;
-use tremolite_results::{Fact, Said, TrustLine, said};
+use crate::plan::Plan;
+use tremolite_engine::Model;
+use tremolite_engine::state::Memory;
+use tremolite_results::{Fact, Said, StageSummary, TrustLine, said};
 
 /// What is held besides weight, loads and reactions when the shaking begins, over all contributions: ten times what stages
 /// leave out of balance.
@@ -23,7 +26,21 @@ const INITIAL_ID: &str = "initial_motion";
 const LOCAL_ID: &str = "initial_stress_change_local";
 const UNEVEN_ID: &str = "initial_motion_local";
 
+/// Those that the initial equilibrium alone settles.
+pub(super) const OF_THE_FIRST: [&str; 2] = [CHANGE_ID, LOCAL_ID];
+
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
+    let Evidence { model, plan, outcome, .. } = evidence;
+    of_stages(model, plan, &outcome.stages, &outcome.state.observers)
+}
+
+/// The same of stages alone, with what is remembered of them.
+pub(super) fn of_stages(
+    model: &Model,
+    plan: &Plan,
+    stages: &[StageSummary],
+    memory: &Memory,
+) -> Vec<TrustLine> {
     let held_name = || said!("unreleased force after the last stage over all forces");
     let change_name = || said!("change of the initial stress by the initial equilibrium, relative");
     let initial_name = || said!("displacement of the initial equilibrium over that of the stages");
@@ -32,9 +49,8 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let uneven_name = || {
         said!("largest relative displacement across an element or interface, initial equilibrium over stages")
     };
-    let stages = &evidence.outcome.stages;
     let (Some(first), Some(last)) = (stages.first(), stages.last()) else {
-        let why = || match evidence.plan.stages.is_empty() {
+        let why = || match plan.stages.is_empty() {
             true => said!("there are no stages before the earthquake"),
             false => said!("no stage came to rest"),
         };
@@ -46,7 +62,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
             TrustLine::not_applicable(LOCAL_ID, local_name(), why()),
         ];
     };
-    let held = if stages.len() == evidence.plan.stages.len() {
+    let held = if stages.len() == plan.stages.len() {
         TrustLine::at_most(HELD_ID, held_name(), last.held, HELD, "").with_note(said!(
             "what stages have not let go stays held in the shaking: end with a stage whose `release` is 1"
         ))
@@ -65,9 +81,8 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     } else {
         TrustLine::not_applicable(INITIAL_ID, initial_name(), said!("no stage that came to rest excavates"))
     };
-    let memory = &evidence.outcome.state.observers;
     let beginning = Beginning::recall(memory);
-    let place = |element: u32| places::element_beside(evidence.model, element);
+    let place = |element: u32| places::element_beside(model, element);
     let uneven = match (beginning, uneven(memory)) {
         (Some(found), Some((initial, later))) if excavates => {
             let line = TrustLine::share_at_most(UNEVEN_ID, uneven_name(), [initial, later], INITIAL, still());
@@ -85,7 +100,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         }
     };
     let local = match beginning {
-        Some(found) if !evidence.model.elements.initial.is_empty() => {
+        Some(found) if !model.elements.initial.is_empty() => {
             let (share, at) = found.largest_change;
             TrustLine::at_most(LOCAL_ID, local_name(), share, LOCAL, "").with_note(said!(
                 "at {place}, over the mean of all where its own is less; {remedy}",
@@ -96,7 +111,7 @@ pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
         _ => TrustLine::not_applicable(LOCAL_ID, local_name(), said!("the ground begins without stress")),
     };
     let change = match beginning {
-        Some(found) if !evidence.model.elements.initial.is_empty() => TrustLine::at_most(
+        Some(found) if !model.elements.initial.is_empty() => TrustLine::at_most(
             CHANGE_ID,
             change_name(),
             found.change,

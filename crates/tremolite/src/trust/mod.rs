@@ -28,8 +28,11 @@ pub(crate) use waves::DRIFT;
 pub(crate) use waves::PER_WAVELENGTH;
 
 use crate::evidence::Evidence;
+use crate::plan::Plan;
 use crate::survey::limit_in_words;
-use tremolite_results::{Fact, TrustLine, said, tell_apart};
+use tremolite_engine::Model;
+use tremolite_engine::state::Memory;
+use tremolite_results::{Fact, StageSummary, TrustLine, said, tell_apart};
 
 /// Every check of a run.
 pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
@@ -52,6 +55,23 @@ pub(crate) fn trust(evidence: &Evidence) -> Vec<TrustLine> {
     lines.extend(corners::lines(evidence));
     lines.extend(material::lines(evidence));
     tell_apart(lines.iter_mut().map(|line| &mut line.id));
+    lines
+}
+
+/// Checks whose value is known when a stage is at rest, before the earthquake: of the initial equilibrium those of the initial stress, of the
+/// last stage all others as well.
+pub(crate) fn of_stages(
+    model: &Model,
+    plan: &Plan,
+    stages: &[StageSummary],
+    memory: &Memory,
+) -> Vec<TrustLine> {
+    let mut lines = before::of_stages(model, plan, stages, memory);
+    if stages.len() < plan.stages.len() {
+        lines.retain(|line| before::OF_THE_FIRST.contains(&&*line.id));
+    } else {
+        lines.extend(moved::of_stages(plan, memory));
+    }
     lines
 }
 

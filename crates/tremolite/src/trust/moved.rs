@@ -2,6 +2,8 @@
 
 use crate::evidence::Evidence;
 use crate::moved::{damped, first_step, let_go};
+use crate::plan::Plan;
+use tremolite_engine::state::Memory;
 use tremolite_results::{TrustLine, said};
 
 /// Work that the damping takes on the way to rest, over that of what is moved. Largest force of the L-shaped panel, 14 steps to twice the
@@ -19,12 +21,17 @@ const MOST_FIRST: f64 = 0.01;
 const FIRST_ID: &str = "first_step_cracks";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
-    vec![slow(evidence), first(evidence), snap(evidence)]
+    of_stages(evidence.plan, &evidence.outcome.state.observers)
 }
 
-fn first(evidence: &Evidence) -> TrustLine {
+/// The same of what is remembered of stages.
+pub(super) fn of_stages(plan: &Plan, memory: &Memory) -> Vec<TrustLine> {
+    vec![slow(memory), first(memory), snap(plan, memory)]
+}
+
+fn first(memory: &Memory) -> TrustLine {
     let name = said!("share of the first loading step's work that was dissipated");
-    match first_step(&evidence.outcome.state.observers) {
+    match first_step(memory) {
         None => TrustLine::not_applicable(FIRST_ID, name, said!("no stage moved anything")),
         Some(share) => TrustLine::at_most(FIRST_ID, name, share, MOST_FIRST, "").with_note(said!(
             "the first step should be elastic: what later steps lose is counted beyond what it did, and a peak within a step is cut; take more `steps`"
@@ -32,14 +39,14 @@ fn first(evidence: &Evidence) -> TrustLine {
     }
 }
 
-fn snap(evidence: &Evidence) -> TrustLine {
+fn snap(plan: &Plan, memory: &Memory) -> TrustLine {
     let name = said!("largest share of the stored energy released in one step");
-    match let_go(&evidence.outcome.state.observers) {
+    match let_go(memory) {
         None => TrustLine::not_applicable(LET_GO_ID, name, said!("no stage moved anything twice")),
         Some((share, stage)) => {
             let line =
                 TrustLine::at_most(LET_GO_ID, name, share, MOST_LET_GO, "").with("stage", stage as f64);
-            let told = &evidence.plan.stages[stage].name;
+            let told = &plan.stages[stage].name;
             if line.pass {
                 return line;
             }
@@ -51,9 +58,9 @@ fn snap(evidence: &Evidence) -> TrustLine {
     }
 }
 
-fn slow(evidence: &Evidence) -> TrustLine {
+fn slow(memory: &Memory) -> TrustLine {
     let name = said!("work dissipated by relaxation damping over work of the prescribed displacements");
-    let Some((work, damped)) = damped(&evidence.outcome.state.observers) else {
+    let Some((work, damped)) = damped(memory) else {
         return TrustLine::not_applicable(ID, name, said!("no stage moved anything"));
     };
     let line = TrustLine::share_at_most(ID, name, [damped, work], MOST, said!("no stage moved anything"));

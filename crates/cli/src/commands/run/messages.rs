@@ -10,7 +10,7 @@ use tremolite::run::Progress;
 use tremolite::simulation::Outcome;
 use tremolite::survey::{impacts_in_words, limit_in_words};
 use tremolite::{Bytes, Division, Ranks};
-use tremolite_results::{ResultFolder, Summary};
+use tremolite_results::{ResultFolder, Summary, TrustLine};
 
 /// Messages to the terminal and to log.txt.
 pub(super) struct Log {
@@ -118,6 +118,17 @@ pub(super) fn progress(plan: &Plan, p: &Progress) -> String {
     }
 }
 
+/// A check that applies, in a line.
+pub(super) fn check(line: &TrustLine) -> String {
+    let mark = if line.pass { "ok  " } else { "LOOK" };
+    // What cannot be told says why.
+    let found = match line.value.is_nan() {
+        true => line.note.clone(),
+        false => format!("{} (limit {})", short(line.value), line.limit),
+    };
+    format!("  {mark} {}: {found}", line.name)
+}
+
 /// What came out.
 pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summary) {
     for line in &summary.soundness.trust {
@@ -126,13 +137,7 @@ pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summa
             log.keep(&format!("--   {}: not applicable, {}", line.name, line.note));
             continue;
         }
-        let mark = if line.pass { "ok  " } else { "LOOK" };
-        // What cannot be told says why.
-        let found = match line.value.is_nan() {
-            true => line.note.clone(),
-            false => format!("{} (limit {})", short(line.value), line.limit),
-        };
-        log.say(&format!("  {mark} {}: {found}", line.name));
+        log.say(&check(line));
     }
     let idle = summary.soundness.trust.iter().filter(|line| line.not_applicable).count();
     if idle > 0 {

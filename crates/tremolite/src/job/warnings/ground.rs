@@ -6,11 +6,14 @@ use tremolite_case::{Case, Diagnostic};
 
 /// Share of the volume that may be in tension, or beyond yield, before anything moves.
 const SHARE: f64 = 0.01;
+/// Vertical forces out of balance over the weight (an assumption). Level ground and slopes under the weight above have none; an opening that is
+/// there from the start adds twice its share of a section.
+const IMBALANCE: f64 = 0.25;
 
 /// Of tension and yield under the initial stress, and of walls that it loads beyond their strength.
 pub fn of_ground(case: &Case, outlook: &Outlook) -> Vec<Diagnostic> {
     let (Some(given), Some(found)) = (&case.initial.stress, &outlook.at_rest) else { return Vec::new() };
-    let AtRest { volume, tension, beyond, largest, wall } = found;
+    let AtRest { volume, tension, beyond, largest, wall, imbalance } = found;
     let place = |[x, y, z]: [f64; 3]| format!("({x:.1}, {y:.1}, {z:.1}) m");
     let mut all = Vec::new();
     if let Some((most, at)) = largest.filter(|_| *tension > SHARE * volume) {
@@ -23,6 +26,19 @@ pub fn of_ground(case: &Case, outlook: &Outlook) -> Vec<Diagnostic> {
                 place(at)
             ),
             "stresses are positive in tension: compression is written with a minus, zz = \"-6 MPa\"",
+        ));
+    }
+    if let Some(imbalance) = imbalance.filter(|imbalance| *imbalance > IMBALANCE) {
+        all.push(Diagnostic::new(
+            given.span(),
+            format!(
+                "vertical forces out of balance under the initial stress: {:.0} % of the weight (limit {:.0} %). The initial equilibrium \
+                 changes the stress as much",
+                100.0 * imbalance,
+                100.0 * IMBALANCE
+            ),
+            "let the vertical stress be the weight above: `lateral` in place of `stress`, or `gradient` beside it with the unit weight \
+             along zz",
         ));
     }
     if *beyond > SHARE * volume {
