@@ -235,7 +235,8 @@ fn go(args: &Args, since: Instant, Asked { mut job, other }: Asked, started: Opt
     })?;
     let (mut told, mut failing) = (Vec::new(), false);
     let mut at_rest = |simulation: &Simulation, _: usize| {
-        let looks = simulation.checks_of_stages().into_iter().filter(|line| !line.not_applicable && !line.pass);
+        let looks =
+            simulation.checks_of_stages().into_iter().filter(|line| !line.not_applicable && !line.pass);
         for look in looks.filter(|look| !told.contains(&look.id)).collect::<Vec<_>>() {
             log.say(&check(&look));
             told.push(look.id);

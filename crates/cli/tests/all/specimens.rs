@@ -304,7 +304,18 @@ fn a_curved_specimen_stands_free() {
         .map(|k| {
             let n = |i: usize| 4 * k + i;
             let m = |i: usize| 4 * (k + 1) + i;
-            format!("{} 5 2 1 1 {} {} {} {} {} {} {} {}\n", k + 1, n(1), m(1), m(3), n(3), n(2), m(2), m(4), n(4))
+            format!(
+                "{} 5 2 1 1 {} {} {} {} {} {} {} {}\n",
+                k + 1,
+                n(1),
+                m(1),
+                m(3),
+                n(3),
+                n(2),
+                m(2),
+                m(4),
+                n(4)
+            )
         })
         .collect();
     let mesh = format!(

@@ -107,9 +107,10 @@ fn mass_damping_is_warned_of_where_something_may_slide_or_come_loose() {
     let remedy = "dynamic.damping={ ratio = 0.02, band = [\"0.5 Hz\", \"20 Hz\"], reference = \"0 Hz\" }";
     assert!(said.contains("ratio = 0.02, band = [\"0.5 Hz\", \"20 Hz\"], reference = \"0 Hz\""), "{said}");
     assert!(!warned(joint, &[remedy]).contains("rayleigh"));
-    let tied = joint.replace("law = \"bandis\"\nmax_closure = \"1 mm\"\nfriction = 0.6\n", "law = \"tied\"\n");
+    let tied =
+        joint.replace("law = \"bandis\"\nmax_closure = \"1 mm\"\nfriction = 0.6\n", "law = \"tied\"\n");
     assert!(!warned(&tied, &[mass]).contains(words));
-    let concrete = "material.concrete={ law = \"concrete-damage\", grade = \"C25/30\", friction_angle = \"37 deg\", unit_weight = \"25 kN/m3\" }";
+    let concrete = "material.concrete={ law = \"concrete-damage\", grade = \"C25/30\", fracture_energy = \"400 N/m\", friction_angle = \"37 deg\", unit_weight = \"25 kN/m3\" }";
     assert!(warned("", &[mass, concrete]).contains("'hall.lining' may come loose"));
 }
 

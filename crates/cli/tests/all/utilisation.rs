@@ -33,10 +33,9 @@ fn an_elastic_lining_that_stands_from_the_start_has_sections() {
     let (start, end) = (text.find("[initial]").unwrap(), text.find("[motion]").unwrap());
     let text = format!("{}{}", &text[..start], &text[end..]);
     let void = "groups = [\"rock\"]\nmaterial = \"rock\"\nelement = \"one-point\"\n[[region]]\ngroups = [\"hall.bench*\"]\nmaterial = \"void\"";
-    let text = text.replace("before = \"rock\"\n", "").replace(
-        "groups = [\"rock\", \"hall.bench*\"]\nmaterial = \"rock\"\nelement = \"one-point\"",
-        void,
-    );
+    let text = text
+        .replace("before = \"rock\"\n", "")
+        .replace("groups = [\"rock\", \"hall.bench*\"]\nmaterial = \"rock\"\nelement = \"one-point\"", void);
     std::fs::write(folder.join("case.toml"), text).unwrap();
     let ended = run(folder, "out", &["--overwrite"]);
     assert_eq!(code(&ended), 0, "{}", errors(&ended));

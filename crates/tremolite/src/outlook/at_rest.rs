@@ -104,9 +104,8 @@ pub fn at_rest(
 fn imbalance(model: &Arc<Model>, assembly: &Arc<Assembly>, first: &Arc<Phase>) -> Option<f64> {
     let mut state = assembly.rest();
     // The relaxation evaluates all forces and is stopped before its second cycle.
-    Engine::new(model, assembly, first).relax_watched(&mut state, &Release::default(), &mut |_, rest| {
-        rest.cycles == 0
-    });
+    Engine::new(model, assembly, first)
+        .relax_watched(&mut state, &Release::default(), &mut |_, rest| rest.cycles == 0);
     let free = |node: usize| first.inverse_mass[node].0[2] > 0.0;
     let counts = |node: usize| model.nodes.counts(node);
     let forces = state.held.iter().enumerate().filter(|(node, _)| free(*node) && counts(*node));

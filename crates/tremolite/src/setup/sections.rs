@@ -92,11 +92,11 @@ fn no_lining(mesh: &Mesh, on: &Spanned<String>, name: &str, lined: &[bool]) -> D
         mesh.groups.iter().filter(|(_, e)| all(e)).map(|(name, _)| name.as_str()).collect();
     Diagnostic::at(
         on,
-        format!("'{name}' is no lining: no stage installs it, its elements are not layered, and its material does not crack"),
+        format!(
+            "'{name}' is no lining: no stage installs it, its elements are not layered, and its material does not crack"
+        ),
         match linings.is_empty() {
-            true => {
-                "write element = \"layered\" for the lining, or install it in a stage".to_owned()
-            }
+            true => "write element = \"layered\" for the lining, or install it in a stage".to_owned(),
             false => format!("name linings: {}", linings.join(", ")),
         },
     )
