@@ -96,7 +96,10 @@ fn every_value_arrives_in_si() {
     assert_eq!((given.area.value, given.direction.value), (3e-3, BarDirection::Along));
 
     let dynamic = &case.dynamic;
-    let Base::ViscousSpring { normal, tangential, distance } = &dynamic.base.value else { panic!("spring") };
+    let Base::ViscousSpring { normal, tangential, distance, side_springs: false } = &dynamic.base.value
+    else {
+        panic!("spring")
+    };
     let distance = distance.as_ref().map(|d| d.value);
     assert_eq!((normal.value, tangential.value, distance), (1.5, 0.5, Some(100.0)));
     assert_eq!(dynamic.sides.each_ref().map(|s| s.value), [Side::Viscous, Side::Roller]);

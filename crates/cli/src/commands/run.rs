@@ -11,6 +11,7 @@ use crate::signals::stop_flag;
 use crate::terminal::{ProgressLine, say, tell};
 use messages::{Log, after, before, busy, check, progress, shared_out};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 use tremolite::RunError;
 use tremolite::job::{Begun, Caller, Job};
