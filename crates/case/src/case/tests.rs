@@ -89,7 +89,9 @@ fn cases() -> Vec<String> {
             .replace("target = { period = [\"0.1 s\", \"0.5 s\"], sa = [\"5 m/s2\", \"2 m/s2\"] }", "target = { file = \"code.csv\" }"),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
         with_waves(
-            "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n",
+            "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n\
+             [[motion.wave]]\ntype = \"SH\"\nangle = 0\nazimuth = 0\ncomponent = \"north\"\n\
+             [[motion.wave]]\ntype = \"P\"\nangle = 0\nazimuth = 0\ncomponent = \"up\"\n",
         ),
     ]
 }

@@ -32,6 +32,7 @@ fn every_value_arrives_in_si() {
             "reinforcement[1].yield",
             "reinforcement[2].yield",
             "section[1].bar_diameter",
+            "dynamic.base.side_springs",
             "monitor[free].body",
         ]
     );

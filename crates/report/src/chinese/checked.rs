@@ -24,6 +24,7 @@ pub const TEXTS: Texts = &[
         "残余位移在最后一秒内的变化与残余位移之比",
     ),
     ("no monitor has a residual displacement", "没有测点具有残余位移"),
+    ("the motion goes on after the end of the run", "计算结束之后运动仍在继续"),
     (
         "{history}: {residual} m at the end, and it still grows: give a longer `dynamic.duration`; with `base = \"viscous-spring\"` \
          compare base = \"viscous\" or wider `sides` as well",

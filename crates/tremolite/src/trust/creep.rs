@@ -1,7 +1,7 @@
 //! The check of a run that ends while a permanent displacement still grows.
 
 use crate::evidence::Evidence;
-use crate::trust::on_broken_elements;
+use crate::trust::{cut_short, on_broken_elements};
 use tremolite_results::{Said, TrustLine, said};
 
 /// Change of a residual displacement in the last second over the residual. Dashpots bring a block to rest as e^(−t/τ), so that a share r a
@@ -18,6 +18,10 @@ pub(super) fn line(evidence: &Evidence) -> TrustLine {
     let name = said!("change of residual displacement in the last second over the residual");
     let none = |why: Said| TrustLine::not_applicable(ID, name.clone(), why);
     let Evidence { model, plan, histories, .. } = evidence;
+    let motion = cut_short::line(evidence);
+    if !motion.pass && !motion.not_applicable {
+        return none(said!("the motion goes on after the end of the run"));
+    }
     let Some(time) = histories.columns.iter().position(|column| column.name == "time") else {
         return none(said!("no row was written"));
     };

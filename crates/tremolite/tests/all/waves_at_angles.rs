@@ -120,7 +120,7 @@ fn what_cannot_be_is_refused_with_its_line_and_a_remedy() {
         ),
         (
             CASE.replace("process =", "up = { from = \"east\", factor = 0.5 }\nprocess ="),
-            "up =",
+            "up = { from",
             "carries `up`",
         ),
         (CASE.replace("angle = \"25 deg\"", "angle = \"95 deg\""), "angle =", "must be from 0"),

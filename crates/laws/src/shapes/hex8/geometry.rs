@@ -275,7 +275,7 @@ impl Hex8 {
         for (hourglass, mode) in hourglass.iter_mut().zip(HOURGLASS) {
             *hourglass = project(&corners, mode);
         }
-        let linkable = super::wedge::linkable(&corners);
+        let linkable = super::wedge_sides::linkable(&corners);
         Ok(Hex8 {
             corners,
             volume,

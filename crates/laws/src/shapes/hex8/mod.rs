@@ -44,7 +44,9 @@ mod one_point;
 mod pores;
 mod quadrature;
 mod size;
+mod unit_strains;
 mod wedge;
+mod wedge_sides;
 
 pub use bodies::MODAL_MEMORY;
 pub use brick::BrickGeometry;
