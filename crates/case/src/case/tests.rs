@@ -90,8 +90,8 @@ fn cases() -> Vec<String> {
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
         with_waves(
             "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n\
-             [[motion.wave]]\ntype = \"SH\"\nangle = 0\nazimuth = 0\ncomponent = \"north\"\n\
-             [[motion.wave]]\ntype = \"P\"\nangle = 0\nazimuth = 0\ncomponent = \"up\"\n",
+             [[motion.wave]]\ntype = \"SH\"\nangle = \"0 deg\"\nazimuth = \"0 deg\"\ncomponent = \"north\"\n\
+             [[motion.wave]]\ntype = \"P\"\nangle = \"0 deg\"\nazimuth = \"0 deg\"\ncomponent = \"up\"\n",
         ),
     ]
 }

@@ -225,7 +225,7 @@ fn what_was_left_out_is_listed_with_values_and_materials_with_what_their_laws_de
         // 73·9.900^0.18
         "material.concrete.fracture_energy = 110",
         "threshold_strain 4.8e-5",
-        "damping: Rayleigh, 0.3 1/s",
+        "damping: 2.00 % over 0.5 to 20 Hz",
     ] {
         assert!(text.contains(words), "{words}:\n{text}");
     }
