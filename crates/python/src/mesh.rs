@@ -141,7 +141,9 @@ pub fn to_python<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyAny
 /// # Errors
 /// Why it cannot be made or read.
 pub fn of_case<'py>(py: Python<'py>, case: &Case, inputs: &Inputs) -> PyResult<Bound<'py, PyAny>> {
-    match py.detach(|| mesh_of(&case.mesh, &case.ground, free_sides(case), &case.directory, inputs)) {
+    let made =
+        || mesh_of(&case.mesh, &case.ground, &case.interfaces, free_sides(case), &case.directory, inputs);
+    match py.detach(made) {
         Ok((mesh, _)) => to_python(py, &mesh),
         Err(problems) => Err(refused(py, &case.report(problems))),
     }

@@ -122,7 +122,14 @@ fn finding(name: &str, interface: &InterfaceSummary) -> Finding {
     let (slip_at, gap_at) = (point(max_slip.at), point(max_gap.at));
     let (headline, text) = match (*ever_slid > 0.0, *ever_opened > 0.0) {
         (false, false) => {
-            (said!("the interface neither slid nor opened on its {area} m²", area = whole), Said::default())
+            let text = match interface.ends {
+                0 => Said::default(),
+                n => said!(
+                    "At {nodes} nodes, where it meets linings or its own ends, it cannot slide.",
+                    nodes = n.to_string()
+                ),
+            };
+            (said!("the interface neither slid nor opened on its {area} m²", area = whole), text)
         }
         (true, false) => (
             said!("the interface slid over {slid} % of its {area} m²", slid = slid, area = whole),
@@ -156,6 +163,7 @@ fn finding(name: &str, interface: &InterfaceSummary) -> Finding {
         .with("area", *area)
         .with("share_slid", ever_slid / area)
         .with("share_opened", ever_opened / area)
+        .with("closed_nodes", interface.ends as f64)
         .with("max_slip", max_slip.value)
         .with_place("max_slip", max_slip.at)
         .with("max_gap", max_gap.value)

@@ -14,8 +14,8 @@ pub(super) static PLANE: Table = Table {
     doc: "A plane that cuts generated ground, a fault or the border of a layer: nodes move onto it and elements part along it. One \
           that strikes along y, as the caverns do, leaves wedges alone; others divide elements into pyramids and tetrahedra as well. Its \
           sides are the groups `NAME.above` and `NAME.below`, beside those that are there: \
-          all elements but linings and shotcrete, which belong to neither; of a plane with an `extent` those that touch it. An [[interface]] \
-          between the two lets it slide and open.",
+          all elements but linings and shotcrete that stay whole (`across`), which belong to neither; of a plane with an `extent` those that \
+          touch it. An [[interface]] between the two lets it slide and open.",
     keys: &[
         Key::required("name", Kind::Name, "first part of the names of its groups"),
         THROUGH,
@@ -26,6 +26,14 @@ pub(super) static PLANE: Table = Table {
             LENGTH,
             "",
             "How far it reaches from the point, up and down the dip; left out: through all the ground",
+        ),
+        Key::default(
+            "across",
+            Kind::Word(&["cut", "whole"]),
+            r#""cut""#,
+            "Linings and shotcrete of generated caverns that share nodes with the rock, where an [[interface]] parts the sides of the plane: \
+             `cut` divides them with the rock; `whole` leaves them whole, and they tie the two sides. What an [[interface]] separates from \
+             the rock stays whole under both",
         ),
         Key::optional(
             "seam",
@@ -45,6 +53,8 @@ pub struct CutPlane {
     pub plane: PlaneAt,
     /// From the point up and down the dip, m; nothing: through all the ground.
     pub extent: Option<Spanned<f64>>,
+    /// Whether linings and shotcrete that share nodes with the rock stay whole.
+    pub whole: bool,
     /// A thin layer in it.
     pub seam: Option<Seam>,
     /// Its table in the case: the header, or the braces.
@@ -54,10 +64,18 @@ pub struct CutPlane {
 impl CutPlane {
     pub(super) fn read(f: &Fields) -> Option<Self> {
         let extent = f.number("extent");
+        let whole = f.text("across")?.value == "whole";
         let seam = match f.table("seam") {
             Some(seam) => Some(Seam::read(seam)?),
             None => None,
         };
-        Some(CutPlane { name: f.text("name")?, plane: PlaneAt::read(f)?, extent, seam, span: f.span.clone() })
+        Some(CutPlane {
+            name: f.text("name")?,
+            plane: PlaneAt::read(f)?,
+            extent,
+            whole,
+            seam,
+            span: f.span.clone(),
+        })
     }
 }

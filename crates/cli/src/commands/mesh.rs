@@ -70,7 +70,8 @@ fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
         let (made, case) = match MeshAlone::read(file).map_err(|r| Failure::case(&r))? {
             Some(alone) => {
                 let directory = file.parent().unwrap_or(Path::new(""));
-                let made = mesh_of(&alone.mesh, &alone.ground, [false; 2], directory, &Inputs::default());
+                let made =
+                    mesh_of(&alone.mesh, &alone.ground, &[], [false; 2], directory, &Inputs::default());
                 (made.map_err(|p| alone.report(p)), None)
             }
             None => {
@@ -78,6 +79,7 @@ fn load(file: &Path) -> Result<(Mesh, Option<Case>), Failure> {
                 let made = mesh_of(
                     &case.mesh,
                     &case.ground,
+                    &case.interfaces,
                     free_sides(&case),
                     case.directory(),
                     &Inputs::default(),

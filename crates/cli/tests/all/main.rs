@@ -11,6 +11,7 @@ mod circles;
 mod commands;
 mod corners;
 mod every_law;
+mod faults;
 mod fuzzed;
 mod interfaces;
 mod judged_run;

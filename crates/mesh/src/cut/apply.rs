@@ -14,6 +14,15 @@ pub(super) struct Applied {
     pub changed: Vec<u32>,
     /// Greatest way of a node \[m\].
     pub moved: f64,
+    /// Elements that were parted, by the element that their second piece became.
+    parted: BTreeMap<u32, u32>,
+}
+
+impl Applied {
+    /// The element that one is a part of, or itself.
+    pub fn origin(&self, element: u32) -> u32 {
+        self.parted.get(&element).copied().unwrap_or(element)
+    }
 }
 
 /// Moves the points of a section and parts the elements along its way.
@@ -77,7 +86,8 @@ pub(super) fn apply(
     }
     mesh.faces = faces;
     let moved = moves.values().map(|way| length(*way)).fold(0.0, f64::max);
-    Applied { changed: changed.into_iter().collect(), moved }
+    let parted = pieces.into_iter().map(|(e, piece)| (piece, e)).collect();
+    Applied { changed: changed.into_iter().collect(), moved, parted }
 }
 
 /// How good a cut mesh is: the smaller of its worst scaled Jacobian, against what is wanted, and of the smallest width of an element's

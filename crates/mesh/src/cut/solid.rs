@@ -94,16 +94,16 @@ struct Ground<'a> {
 }
 
 /// Puts a plane into a mesh. `parts` says for each element which part it belongs to: the borders between parts keep their shape, as do the
-/// planes that were put there before. Elements that are `whole` belong to neither side. Sides of axes that are `free` need not match.
+/// planes that were put there before. Nodes through the thickness of `thin` elements move together. Sides of axes that are `free` need not match.
 pub(super) fn cut(
     mesh: &Mesh,
     cut: &Cut,
-    whole: &[bool],
+    thin: &[bool],
     parts: &[u32],
     earlier: &[Plane],
     free: [bool; 2],
 ) -> Result<Made, CutError> {
-    let ground = Ground::of(mesh, cut.plane, whole, parts, earlier, free);
+    let ground = Ground::of(mesh, cut.plane, thin, parts, earlier, free);
     if ground.crossed.is_empty() {
         return Err(CutError::Misses { name: cut.name.clone() });
     }
@@ -233,12 +233,12 @@ impl<'a> Ground<'a> {
     fn of(
         mesh: &'a Mesh,
         plane: Plane,
-        whole: &[bool],
+        thin: &[bool],
         parts: &[u32],
         earlier: &[Plane],
         free: [bool; 2],
     ) -> Ground<'a> {
-        let leads = columns::leads(mesh, whole);
+        let leads = columns::leads(mesh, thin);
         let (low, high) = mesh.bounds();
         let tolerance = 1e-9 * norm(minus(high, low));
         let distance = |n: u32| {
@@ -290,7 +290,7 @@ impl<'a> Ground<'a> {
         let at = |n: u32| mesh.nodes[n as usize];
         let steps = mesh.elements.iter().map(|e| polyhedron::step_length(e, &at));
         let smallest = steps.fold(f64::INFINITY, f64::min);
-        let lined = mesh.elements.iter().zip(whole).filter(|(_, whole)| **whole);
+        let lined = mesh.elements.iter().zip(thin).filter(|(_, thin)| **thin);
         let lined = lined.flat_map(|(e, _)| e.nodes().iter().copied()).collect();
         Ground { mesh, plane, near, freedom, off, beside, crossed, leads, lined, partners, smallest }
     }

@@ -3,7 +3,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::*;
 use crate::Face;
 use crate::boxes::BoxSpec;
-use crate::cavern::{Cavern, CavernSpec, Lining};
+use crate::cavern::{Cavern, CavernSpec, Lining, Shotcrete};
 use crate::placement::Placement;
 use crate::quality::{summary, summary_of};
 use crate::topology::{all_faces, exterior_faces, face_key, plane_faces};
@@ -47,7 +47,7 @@ fn lined(mesh: &Mesh) -> Vec<u32> {
 
 fn fault(through: [f64; 3], dip: f64, direction: f64) -> Cut {
     let plane = Plane::dipping(through, f64::to_radians(dip), f64::to_radians(direction));
-    Cut { name: "fault".to_owned(), plane, extent: None }
+    Cut::through("fault", plane)
 }
 
 /// Dips at which planes are tried, and by how much each is moved: all of an element in eight steps.
@@ -57,7 +57,8 @@ fn cut_of(base: &Mesh, cuts: &[Cut]) -> (Mesh, Done) {
     let mut mesh = base.clone();
     let whole = lined(base);
     let soft: Vec<String> = base.groups.keys().filter(|name| name.contains(".bench")).cloned().collect();
-    let done = super::cut(&mut mesh, cuts, &Bounds { whole: &whole, soft: &soft, free: [false; 2] });
+    let cuts: Vec<Cut> = cuts.iter().map(|cut| Cut { whole: whole.clone(), ..cut.clone() }).collect();
+    let done = super::cut(&mut mesh, &cuts, &Bounds { thin: &whole, soft: &soft, free: [false; 2] });
     (mesh, done.unwrap_or_else(|e| panic!("{cuts:?}: {e}")))
 }
 
@@ -279,4 +280,63 @@ fn what_cannot_be_cut_says_the_way_out_and_stays() {
         assert!(refused.as_ref().is_err_and(|e| e.contains(says)), "{refused:?}");
         assert_eq!(&tried, mesh);
     }
+}
+
+/// Shotcrete on the rock of the hall, and a lining of half a metre inside it.
+fn sprayed() -> CavernSpec {
+    let mut spec = hall();
+    spec.caverns[0].shotcrete = Shotcrete { thickness: 0.2, layers: 1 };
+    spec
+}
+
+/// Shotcrete belongs to the sides of a plane, whose border goes through it to the lining; the plane keeps its place at the wall.
+#[test]
+fn shotcrete_on_the_rock_is_cut_with_it_and_the_plane_keeps_its_place() {
+    let base = sprayed().mesh().unwrap_or_else(|e| panic!("{e}"));
+    let sprayed: BTreeSet<u32> = {
+        let groups = base.groups.iter().filter(|(name, _)| name.contains(".shotcrete"));
+        groups.flat_map(|(_, list)| list.iter().copied()).collect()
+    };
+    let numbered = |name: &str| {
+        [".bench", ".lining", ".shotcrete"].iter().any(|part| name.contains(part))
+            && name.ends_with(|c: char| c.is_ascii_digit())
+    };
+    let soft: Vec<String> = base.groups.keys().filter(|name| numbered(name)).cloned().collect();
+    let whole = lined(&base);
+    let thin: Vec<u32> =
+        whole.iter().copied().chain(sprayed.iter().copied()).collect::<BTreeSet<_>>().into_iter().collect();
+    let (mut kept, mut tried, mut worst) = (0, 0, 0.0_f64);
+    for dip in DIPS {
+        for k in 0..8 {
+            let mut mesh = base.clone();
+            let cut = Cut { whole: whole.clone(), ..fault([0.25 * f64::from(k), 0.0, -55.0], dip, 90.0) };
+            let bounds = Bounds { thin: &thin, soft: &soft, free: [true; 2] };
+            let done = super::cut(&mut mesh, std::slice::from_ref(&cut), &bounds)
+                .unwrap_or_else(|e| panic!("{cut:?}: {e}"));
+            assert!(done.jacobian >= LEAST_JACOBIAN, "{cut:?}: {}", done.jacobian);
+            let [above, below] = ["fault.above", "fault.below"].map(|g| &mesh.groups[g]);
+            let all: BTreeSet<u32> = above.iter().chain(below).copied().collect();
+            assert!(mesh.groups["hall.shotcrete"].iter().all(|e| all.contains(e)), "{cut:?}");
+            // The border has faces through the shotcrete, on both walls or on a wall and in the crown.
+            let is_sprayed = |e: u32| mesh.groups["hall.shotcrete"].binary_search(&e).is_ok();
+            let through = owners(&mesh).values().filter(|faces| {
+                faces.len() == 2
+                    && faces.iter().all(|face| is_sprayed(face.element))
+                    && faces.iter().any(|face| above.binary_search(&face.element).is_ok())
+                    && faces.iter().any(|face| below.binary_search(&face.element).is_ok())
+            });
+            // Two places, three elements along y.
+            assert_eq!(through.count(), 6, "{cut:?}");
+            let (_, off, at) = done.bent.unwrap_or_else(|| panic!("{cut:?} has a border"));
+            tried += 1;
+            kept += usize::from(off < 1e-9);
+            if off > worst {
+                println!("{dip} {k}: {off:.3} m off at {at:?}");
+            }
+            worst = worst.max(off);
+        }
+    }
+    println!("{kept} of {tried} keep their place, the others bend by up to {worst:.3} m");
+    assert!(kept >= 40, "{kept}");
+    assert!(worst < 0.8, "{worst}");
 }

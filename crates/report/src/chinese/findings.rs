@@ -55,6 +55,10 @@ pub const TEXTS: Texts = &[
     ("First {measure} before the earthquake.", "地震前已首次{measure}。"),
     // Interfaces.
     ("the interface neither slid nor opened on its {area} m²", "接触面在其 {area} m² 上既未滑移也未张开"),
+    (
+        "At {nodes} nodes, where it meets linings or its own ends, it cannot slide.",
+        "在 {nodes} 个节点处（与衬砌相接处或其自身端部），接触面不能滑移。",
+    ),
     ("the interface slid over {slid} % of its {area} m²", "接触面 {area} m² 中有 {slid} % 发生滑移"),
     ("the interface opened over {opened} % of its {area} m²", "接触面 {area} m² 中有 {opened} % 张开"),
     (

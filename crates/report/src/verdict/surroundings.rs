@@ -86,7 +86,25 @@ fn of_interface(language: Language, interface: &Finding) -> Option<(Severity, St
             opened = opens
         ),
     };
-    Some((interface.severity, text))
+    Some(match number("closed_nodes") {
+        Some(nodes) if nodes > 0.0 => {
+            let held = say!(
+                language,
+                "At {nodes} nodes, where it meets linings or its own ends, it cannot slide.",
+                nodes = nodes
+            );
+            (
+                // What cannot slide everywhere is no good news where it did not.
+                if interface.severity == Severity::Undamaged {
+                    Severity::Damaged
+                } else {
+                    interface.severity
+                },
+                say!(language, "{first} {second}", first = text, second = held),
+            )
+        }
+        _ => (interface.severity, text),
+    })
 }
 
 /// The same with the largest slip and gap.

@@ -25,10 +25,12 @@ pub struct Built {
 }
 
 /// The mesh in metres and what its user should know of it; nothing if it was refused, which is among the problems. Paths
-/// of mesh files start from `directory`; what is `held` in memory is not looked for there. Sides that are `free` need not match one another.
+/// of mesh files start from `directory`; what is `held` in memory is not looked for there. Planes leave linings whole that `interfaces`
+/// separate from the rock. Sides that are `free` need not match one another.
 pub fn build(
     mesh: &case::Mesh,
     ground: &case::Ground,
+    interfaces: &[case::Interface],
     free: [bool; 2],
     directory: &Path,
     held: &Inputs,
@@ -36,7 +38,7 @@ pub fn build(
 ) -> Option<Built> {
     let before = problems.len();
     let mut built = made(mesh, directory, held, problems)?;
-    let cut = planes::cut_by(mesh, &ground.planes, free, &mut built.mesh, problems);
+    let cut = planes::cut_by(mesh, &ground.planes, interfaces, free, &mut built.mesh, problems);
     if problems.len() > before {
         return None;
     }
@@ -343,6 +345,7 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
                 build(
                     &alone.mesh,
                     &alone.ground,
+                    &[],
                     [false; 2],
                     Path::new(""),
                     &Inputs::default(),

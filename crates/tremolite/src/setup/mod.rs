@@ -75,19 +75,21 @@ pub struct Setup {
 }
 
 /// The mesh of a case, or of a mesh's own description, with what is made of it, in this folder or `held` in memory: in metres, and
-/// what is worth knowing of it, at its place in the file. Sides that are `free` need not match one another ([`free_sides`] of a case).
+/// what is worth knowing of it, at its place in the file. Planes leave linings whole that `interfaces` separate from the rock. Sides that
+/// are `free` need not match one another ([`free_sides`] of a case).
 ///
 /// # Errors
 /// Why it cannot be generated or read, at its place in the file.
 pub fn mesh_of(
     mesh: &case::Mesh,
     ground: &case::Ground,
+    interfaces: &[case::Interface],
     free: [bool; 2],
     directory: &Path,
     held: &Inputs,
 ) -> Result<(tremolite_mesh::Mesh, Vec<case::Diagnostic>), Vec<case::Diagnostic>> {
     let mut problems = Vec::new();
-    let built = mesh::build(mesh, ground, free, directory, held, &mut problems);
+    let built = mesh::build(mesh, ground, interfaces, free, directory, held, &mut problems);
     let Some(mesh::Built { mesh, mut warnings, doubled, .. }) = built else {
         return Err(problems);
     };
@@ -174,7 +176,9 @@ pub fn setup(case: &Case, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
 pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Setup, Report> {
     let mut problems = Vec::new();
     let motion = motion::build(case, held, &mut problems);
-    let mesh = mesh::build(&case.mesh, &case.ground, free_sides(case), case.directory(), held, &mut problems);
+    let (ground, directory) = (&case.ground, case.directory());
+    let mesh =
+        mesh::build(&case.mesh, ground, &case.interfaces, free_sides(case), directory, held, &mut problems);
     let fields = fields(case, &mut problems);
     let base = base(case, &mut problems);
     let Some(mesh::Built { mut mesh, mut warnings, doubled, taken }) = mesh else {

@@ -9,7 +9,8 @@ use tremolite_engine::{Assembly, Body, Model, Phase, Problem, Stage, stable_step
 use tremolite_kernels::{Quadrature, elastic};
 use tremolite_laws::shapes::hex8::element_frequencies;
 use tremolite_laws::{Dimension, Moduli};
-use tremolite_mesh::cut::{Bounds, Cut, CutError, cut};
+use tremolite_mesh::cut::{Bounds, Cut, CutError, Done, cut};
+use tremolite_mesh::topology::{all_faces, exterior_faces, face_key};
 use tremolite_mesh::{Element, Mesh};
 
 /// Smallest share that a cut may leave of the step of single elements of the mesh without planes: less is a sliver. The mesh as a whole
@@ -30,6 +31,8 @@ const NEAR_CROSSING: f64 = 2.0;
 /// Shares of the step and scaled Jacobians below which a cut is warned of.
 const POOR_STEP: f64 = 0.1;
 const POOR_JACOBIAN: f64 = 0.2;
+/// Share of the elements at a node by which a plane may miss it before that is warned of.
+const BEND: f64 = 0.02;
 
 /// Thickness of a seam over the extent of the elements beside it across it, from which on it is to be meshed.
 const THICKEST: f64 = 0.5;
@@ -39,28 +42,31 @@ pub fn groups_of(plane: &case::CutPlane) -> [String; 2] {
     ["above", "below"].map(|side| format!("{}.{side}", plane.name.value))
 }
 
-/// Cuts a mesh by the planes of a case; what is not possible is among the problems. Elements that it leaves poor are told of. Sides that are
-/// `free` need not match one another.
+/// Cuts a mesh by the planes of a case; what is not possible is among the problems. Elements that it leaves poor are told of, and planes
+/// that bend. Linings that `interfaces` separate from the rock stay whole. Sides that are `free` need not match one another.
 pub fn cut_by(
     source: &case::Mesh,
     planes: &[case::CutPlane],
+    interfaces: &[case::Interface],
     free: [bool; 2],
     mesh: &mut Mesh,
     problems: &mut Vec<Diagnostic>,
-) -> Option<Diagnostic> {
-    let first = planes.first()?;
+) -> Vec<Diagnostic> {
+    let Some(first) = planes.first() else { return Vec::new() };
+    let thin = Thin::of(source, interfaces, mesh);
     let cuts: Vec<Cut> = planes
         .iter()
         .map(|p| Cut {
             name: p.name.value.clone(),
             plane: plane(&p.plane),
             extent: p.extent.as_ref().map(|extent| extent.value),
+            whole: if p.whole || !opens(p, interfaces) { thin.linings.clone() } else { thin.behind.clone() },
         })
         .collect();
-    let (whole, soft) = bounds(source, mesh);
+    let soft = soft(source, mesh);
     let before = smallest(mesh, 0..mesh.elements.len() as u32);
     let uncut = step_of(mesh, &beside(mesh, &[before.1]));
-    match cut(mesh, &cuts, &Bounds { whole: &whole, soft: &soft, free }) {
+    match cut(mesh, &cuts, &Bounds { thin: &thin.all, soft: &soft, free }) {
         Ok(done) => {
             problems.extend(planes.iter().filter_map(|plane| too_thick(plane, mesh)));
             let (after, at) = smallest(mesh, done.changed.iter().copied());
@@ -75,7 +81,7 @@ pub fn cut_by(
                     ),
                     WAY_OUT,
                 ));
-                return None;
+                return Vec::new();
             }
             let together = if share < ALONE { step_of(mesh, &done.changed) / uncut } else { 1.0 };
             if together < LEAST_LEFT {
@@ -86,10 +92,13 @@ pub fn cut_by(
                     ),
                     WAY_OUT,
                 ));
-                return None;
+                return Vec::new();
             }
+            let divided = planes.iter().filter_map(|plane| divides(source, plane, mesh));
+            let mut warnings: Vec<Diagnostic> =
+                bends(planes, &done, mesh).into_iter().chain(divided).collect();
             if share >= POOR_STEP && done.jacobian >= POOR_JACOBIAN {
-                return None;
+                return warnings;
             }
             let said = format!(
                 "planes moved nodes by up to {:.2} m: {} elements changed, of scaled Jacobians of {:.2} or more and stable steps, each alone, of \
@@ -99,11 +108,12 @@ pub fn cut_by(
                 done.jacobian,
                 share.min(1.0)
             );
-            Some(Diagnostic::new(
+            warnings.push(Diagnostic::new(
                 first.span.clone(),
                 said,
                 "move a plane by half an element if that is too poor",
-            ))
+            ));
+            warnings
         }
         Err(e) => {
             let at = planes.iter().find(|p| p.name.value == e.plane()).unwrap_or(first);
@@ -111,7 +121,7 @@ pub fn cut_by(
             let (what, remedy) = text.split_once("; ").unwrap_or((&text, "change the plane"));
             let remedy = if crosses_there(&e, &cuts, mesh) { CROSSING } else { remedy };
             problems.push(Diagnostic::new(at.span.clone(), what, remedy));
-            None
+            Vec::new()
         }
     }
 }
@@ -165,30 +175,173 @@ fn too_thick(plane: &case::CutPlane, mesh: &Mesh) -> Option<Diagnostic> {
     })
 }
 
-/// Elements that stay whole, linings and shotcrete of generated caverns, and groups whose borders may move: layers of rock, which are stairs
-/// anyhow where they dip, and floors of benches inside a cavern.
-fn bounds(source: &case::Mesh, mesh: &Mesh) -> (Vec<u32>, Vec<String>) {
-    let case::Mesh::Caverns(made) = source else { return (Vec::new(), Vec::new()) };
-    let mut whole: Vec<u32> = Vec::new();
-    for (name, elements) in &mesh.groups {
-        let Some((cavern, part)) = name.split_once('.') else { continue };
-        let lined = made.caverns.iter().any(|c| c.name.value == cavern)
-            && (part.starts_with("lining") || part.starts_with("shotcrete"));
-        let opened = made.galleries.iter().any(|g| g.name.value == cavern) && part == "opening";
-        if lined || opened {
-            whole.extend(elements);
+/// Whether an interface lies between the sides of a plane.
+fn opens(plane: &case::CutPlane, interfaces: &[case::Interface]) -> bool {
+    let [above, below] = groups_of(plane);
+    let names = |side: &[case::Spanned<String>], group: &str| {
+        side.iter().any(|name| case::pattern::matches(&name.value, group))
+    };
+    let between = |interface: &case::Interface| {
+        let [one, two] = &interface.between;
+        interface.contact.is_some()
+            && ((names(one, &above) && names(two, &below)) || (names(one, &below) && names(two, &above)))
+    };
+    plane.seam.is_some() || interfaces.iter().any(between)
+}
+
+/// A plane that divides a lining.
+fn divides(source: &case::Mesh, plane: &case::CutPlane, mesh: &Mesh) -> Option<Diagnostic> {
+    let case::Mesh::Caverns(made) = source else { return None };
+    let [above, below] = groups_of(plane).map(|group| mesh.groups.get(&group).cloned().unwrap_or_default());
+    let lining =
+        made.caverns.iter().map(|cavern| format!("{}.lining", cavern.name.value)).find(|lining| {
+            let own = mesh.groups.get(lining).into_iter().flatten();
+            let on = |side: &Vec<u32>| own.clone().any(|e| side.binary_search(e).is_ok());
+            on(&above) && on(&below)
+        })?;
+    Some(Diagnostic::new(
+        plane.span.clone(),
+        format!("plane '{}' divides '{lining}', which shares nodes with the rock", plane.name.value),
+        "give an [[interface]] between lining and rock, or `across = \"whole\"`, if the lining shall stay whole",
+    ))
+}
+
+/// The plane that bends most, where that is by more than a share of the elements there.
+fn bends(planes: &[case::CutPlane], done: &Done, mesh: &Mesh) -> Option<Diagnostic> {
+    let (plane, off, at) = done.bent?;
+    let plane = &planes[plane];
+    let near = |e: &Element| e.nodes().iter().any(|&n| mesh.nodes[n as usize] == at);
+    let size = |e: &Element| {
+        let of = e.nodes().iter().map(|&n| mesh.nodes[n as usize]);
+        let ends = of.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], x| {
+            [std::array::from_fn(|i| low[i].min(x[i])), std::array::from_fn(|i| high[i].max(x[i]))]
+        });
+        (0..3).map(|i| ends[1][i] - ends[0][i]).fold(0.0, f64::max)
+    };
+    let largest = mesh.elements.iter().filter(|e| near(e)).map(size).fold(0.0, f64::max);
+    (off > BEND * largest).then(|| {
+        let [x, y, z] = at;
+        Diagnostic::new(
+            plane.span.clone(),
+            format!(
+                "plane '{}' bends: {off:.2} m off its place at ({x:.1}, {y:.1}, {z:.1}) m, a corner whose node cannot move",
+                plane.name.value
+            ),
+            "move `through` by half an element, or lower `near`",
+        )
+    })
+}
+
+/// Elements of linings and of shotcrete in generated caverns, ascending.
+struct Thin {
+    /// With those of the rock that a gallery takes out of them.
+    all: Vec<u32>,
+    linings: Vec<u32>,
+    /// Of the linings those that an interface separates from the rock, or from what shares its nodes with the rock.
+    behind: Vec<u32>,
+}
+
+impl Thin {
+    fn of(source: &case::Mesh, interfaces: &[case::Interface], mesh: &Mesh) -> Thin {
+        let mut thin = Thin { all: Vec::new(), linings: Vec::new(), behind: Vec::new() };
+        let case::Mesh::Caverns(made) = source else { return thin };
+        let collect = |takes: &dyn Fn(&str) -> bool| -> BTreeSet<u32> {
+            let groups = mesh.groups.iter().filter(|(name, _)| takes(name));
+            groups.flat_map(|(_, elements)| elements.iter().copied()).collect()
+        };
+        let openings = collect(&|name| {
+            made.galleries.iter().any(|gallery| name == format!("{}.opening", gallery.name.value))
+        });
+        let benches = collect(&|name| is_bench(made, name));
+        let of_kind = |cavern: &str, kind: &str| {
+            collect(&|name| {
+                name.split_once('.').is_some_and(|(c, part)| c == cavern && part.starts_with(kind))
+            })
+        };
+        let joint = Separated::by(interfaces, mesh);
+        let mut linings = BTreeSet::new();
+        let mut behind = BTreeSet::new();
+        for cavern in &made.caverns {
+            // From the rock inwards.
+            for kind in ["shotcrete", "lining"] {
+                let own = of_kind(&cavern.name.value, kind);
+                let inside =
+                    if kind == "shotcrete" { of_kind(&cavern.name.value, "lining") } else { BTreeSet::new() };
+                let (mut shared, mut separated) = (0, 0);
+                for [e, other] in joint.neighbours(mesh, &own) {
+                    if [&benches, &behind, &inside].iter().any(|set| set.contains(&other)) {
+                        continue;
+                    }
+                    *(if joint.apart([e, other]) { &mut separated } else { &mut shared }) += 1;
+                }
+                if separated > shared {
+                    behind.extend(&own);
+                }
+                linings.extend(own);
+            }
+        }
+        thin.all = linings.union(&openings).copied().collect();
+        thin.linings = linings.into_iter().collect();
+        thin.behind = behind.into_iter().collect();
+        thin
+    }
+}
+
+/// The sides of interfaces, as elements of the mesh before planes cut it.
+struct Separated {
+    sides: Vec<[BTreeSet<u32>; 2]>,
+}
+
+impl Separated {
+    fn by(interfaces: &[case::Interface], mesh: &Mesh) -> Separated {
+        let side = |names: &[case::Spanned<String>]| -> BTreeSet<u32> {
+            let named = |group: &str| names.iter().any(|name| case::pattern::matches(&name.value, group));
+            mesh.groups.iter().filter(|(group, _)| named(group)).flat_map(|(_, list)| list.clone()).collect()
+        };
+        let open = interfaces.iter().filter(|interface| interface.contact.is_some());
+        Separated {
+            sides: open.map(|interface| interface.between.each_ref().map(|names| side(names))).collect(),
         }
     }
-    whole.sort_unstable();
-    whole.dedup();
-    let bench = |name: &str| {
-        let parts = name.split_once('.');
-        parts.is_some_and(|(c, part)| {
-            part.starts_with("bench") && made.caverns.iter().any(|cavern| cavern.name.value == c)
+
+    /// Whether an interface lies between two elements.
+    fn apart(&self, [a, b]: [u32; 2]) -> bool {
+        let between = |[one, two]: &[BTreeSet<u32>; 2]| {
+            (one.contains(&a) && two.contains(&b)) || (one.contains(&b) && two.contains(&a))
+        };
+        self.sides.iter().any(between)
+    }
+
+    /// Elements of a body with each that has a face in common with them and is not of the body.
+    fn neighbours(&self, mesh: &Mesh, own: &BTreeSet<u32>) -> Vec<[u32; 2]> {
+        let own_list: Vec<u32> = own.iter().copied().collect();
+        let outer = exterior_faces(mesh, Some(&own_list));
+        let keys: BTreeMap<[u32; 4], u32> =
+            outer.into_iter().map(|face| (face_key(mesh, face), face.element)).collect();
+        let others = all_faces(mesh, None).filter(|face| !own.contains(&face.element));
+        others.filter_map(|face| Some([*keys.get(&face_key(mesh, face))?, face.element])).collect()
+    }
+}
+
+fn is_bench(made: &case::Caverns, name: &str) -> bool {
+    name.split_once('.').is_some_and(|(c, part)| {
+        part.starts_with("bench") && made.caverns.iter().any(|cavern| cavern.name.value == c)
+    })
+}
+
+/// Groups whose borders may move: layers of rock, which are stairs anyhow where they dip, floors of benches inside a cavern, and borders
+/// of linings and shotcrete between benches.
+fn soft(source: &case::Mesh, mesh: &Mesh) -> Vec<String> {
+    let case::Mesh::Caverns(made) = source else { return Vec::new() };
+    let numbered = |name: &str| {
+        name.split_once('.').is_some_and(|(c, part)| {
+            let number = ["lining", "shotcrete"].iter().find_map(|kind| part.strip_prefix(kind));
+            number.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
+                && made.caverns.iter().any(|cavern| cavern.name.value == c)
         })
     };
-    let soft = mesh.groups.keys().filter(|name| name.starts_with("rock.") || bench(name));
-    (whole, soft.cloned().collect())
+    let may = |name: &&String| name.starts_with("rock.") || is_bench(made, name) || numbered(name);
+    mesh.groups.keys().filter(may).cloned().collect()
 }
 
 /// A rock of all elements alike \[Pa, kg/m³\]: steps are compared.

@@ -75,7 +75,7 @@ fn parted(plane: Plane, divide: u32) -> Result<(Mesh, u32, u32), VerifyError> {
     let count = 6 * divide;
     let mut mesh = BoxSpec::uniform([-HALF; 3], [HALF; 3], [count; 3]).mesh()?;
     let bounds = Bounds { free: [true; 2], ..Bounds::default() };
-    cut(&mut mesh, &[Cut { name: "joint".into(), plane, extent: None }], &bounds)
+    cut(&mut mesh, &[Cut::through("joint", plane)], &bounds)
         .map_err(|e| VerifyError::Setup(e.to_string()))?;
     let below = part(&mesh, &mesh.groups["joint.below"]);
     let above = part(&mesh, &mesh.groups["joint.above"]);

@@ -103,7 +103,7 @@ fn left(base: &Mesh, whole: f64, plane: Plane) -> Result<Left, VerifyError> {
     let name = || "plane".to_owned();
     let refused = Left { refused: 1, ..Left::NOTHING };
     let bounds = Bounds { free: [true; 2], ..Bounds::default() };
-    let Ok(done) = cut(&mut mesh, &[Cut { name: name(), plane, extent: None }], &bounds) else {
+    let Ok(done) = cut(&mut mesh, &[Cut::through(&name(), plane)], &bounds) else {
         return Ok(refused);
     };
     // As the program refuses it, which goes by the pieces and what is beside them.

@@ -208,7 +208,7 @@ fn print_interfaces(checked: &Checked) {
     for (name, interface) in &checked.interfaces {
         let ends = match interface.ends {
             0 => "no ends inside the model".to_owned(),
-            n => format!("ends inside the model at {n} nodes, closed there"),
+            n => format!("at {n} nodes, where it meets linings or its own ends, it cannot slide"),
         };
         print(&format!(
             "           {name}: {}, {} pairs over {:.1} m2, {ends}",

@@ -13,13 +13,13 @@ const THIN: f64 = 0.5;
 /// Any element is, along an edge that is less than this share of its longest.
 const SLICE: f64 = 0.15;
 
-/// For each node of thin elements the one that stands for it: of linings, which are `whole`, at their outer face. None of itself.
-pub(super) fn leads(mesh: &Mesh, whole: &[bool]) -> HashMap<u32, u32> {
+/// For each node of thin elements the one that stands for it: of linings and shotcrete, which are `flagged`, at their outer face. None of itself.
+pub(super) fn leads(mesh: &Mesh, flagged: &[bool]) -> HashMap<u32, u32> {
     let mut across = Sets::default();
     let mut bodies = Sets::default();
-    for (element, whole) in mesh.elements.iter().zip(whole) {
+    for (element, flagged) in mesh.elements.iter().zip(flagged) {
         let nodes = element.nodes();
-        if *whole {
+        if *flagged {
             nodes.iter().for_each(|n| bodies.join(nodes[0], *n));
         }
         let families: &[&[[usize; 2]]] = match element.shape {
@@ -40,7 +40,7 @@ pub(super) fn leads(mesh: &Mesh, whole: &[bool]) -> HashMap<u32, u32> {
         let directions = if element.shape == Shape::Hex8 { means.len() } else { 1 };
         for k in 0..directions {
             let thinnest = (0..means.len()).all(|j| j == k || means[k] < THIN * means[j]);
-            if means[k] < SLICE * longest || (*whole && thinnest) {
+            if means[k] < SLICE * longest || (*flagged && thinnest) {
                 families[k].iter().for_each(|[a, b]| across.join(nodes[*a], nodes[*b]));
             }
         }

@@ -18,7 +18,7 @@ fn block() -> Mesh {
 
 fn fault(through: [f64; 3], dip: f64, direction: f64) -> Cut {
     let plane = Plane::dipping(through, dip.to_radians(), direction.to_radians());
-    Cut { name: "fault".to_owned(), plane, extent: None }
+    Cut::through("fault", plane)
 }
 
 fn cut_of(base: &Mesh, cuts: &[Cut]) -> (Mesh, Done) {
@@ -317,8 +317,8 @@ fn a_plane_at_an_angle_goes_through_a_lined_hall() {
     let whole = of(".lining");
     let soft: Vec<String> = base.groups.keys().filter(|name| name.contains(".bench")).cloned().collect();
     let mut mesh = base.clone();
-    let cut = fault([1.0, 0.0, -20.0], 65.0, 65.0);
-    let bounds = Bounds { whole: &whole, soft: &soft, free: [true, true] };
+    let cut = Cut { whole: whole.clone(), ..fault([1.0, 0.0, -20.0], 65.0, 65.0) };
+    let bounds = Bounds { thin: &whole, soft: &soft, free: [true, true] };
     let done =
         crate::cut::cut(&mut mesh, std::slice::from_ref(&cut), &bounds).unwrap_or_else(|e| panic!("{e}"));
     assert!(done.jacobian >= LEAST_JACOBIAN, "{}", done.jacobian);

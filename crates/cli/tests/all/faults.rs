@@ -1,0 +1,169 @@
+//! A fault through a lined hall: both walls slide, as in a mesh whose nodes were parted by hand.
+
+use crate::stage_case::{code, errors, run, tremolite};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// A hall of 8 × 8 m with shotcrete on the rock, a lining behind a joint, and a fault that dips by 30 degrees through both walls.
+const GENERATED: &str = r#"[mesh.caverns]
+overburden = "20 m"
+below = "12 m"
+sides = "16 m"
+length = "4 m"
+near = "1.5 m"
+far = "4 m"
+along = "2 m"
+[[mesh.caverns.cavern]]
+name = "hall"
+width = "8 m"
+height = "8 m"
+arch_rise = "2 m"
+lining = { walls = "0.4 m", crown = "0.4 m" }
+shotcrete = "0.2 m"
+[[mesh.plane]]
+name = "fault"
+through = [0, 0, "-25 m"]
+dip = "30 deg"
+dip_direction = "90 deg"
+"#;
+
+fn case(mesh: &str) -> String {
+    format!(
+        r#"title = "fault at a wall"
+{mesh}
+[material.rock]
+law = "elastic"
+young = "5 GPa"
+poisson = 0.25
+density = "2700 kg/m3"
+[material.shotcrete]
+law = "elastic"
+young = "15 GPa"
+poisson = 0.2
+density = "2400 kg/m3"
+[material.concrete]
+law = "elastic"
+young = "30 GPa"
+poisson = 0.2
+density = "2500 kg/m3"
+[[region]]
+groups = ["rock", "hall.bench*"]
+material = "rock"
+element = "one-point"
+[[region]]
+groups = ["hall.shotcrete"]
+material = "shotcrete"
+before = "rock"
+[[region]]
+groups = ["hall.lining"]
+material = "concrete"
+before = "rock"
+[[interface]]
+name = "joint"
+between = [["hall.lining"], ["hall.shotcrete", "rock"]]
+law = "coulomb"
+friction = 0.6
+[[interface]]
+name = "fault"
+between = ["fault.below", "fault.above"]
+law = "coulomb"
+friction = 0.3
+[initial]
+lateral = 0.5
+[[stage]]
+name = "dig"
+excavate = ["hall.bench*", "hall.lining", "hall.shotcrete"]
+install = ["hall.shotcrete"]
+[[stage]]
+name = "line"
+install = ["hall.lining"]
+[[monitor]]
+name = "left"
+at = ["-4.6 m", "2 m", "-22.344 m"]
+interface = "fault"
+[[monitor]]
+name = "right"
+at = ["4.6 m", "2 m", "-27.656 m"]
+interface = "fault"
+"#
+    )
+}
+
+/// What the fault did: nodes where it cannot slide, area that slid \[m²\], slip at both walls \[m\].
+struct Slid {
+    ends: u64,
+    area: f64,
+    walls: [f64; 2],
+    text: String,
+}
+
+fn slid(folder: &Path, text: &str, out: &str) -> Slid {
+    std::fs::write(folder.join("case.toml"), text).unwrap();
+    let output = run(folder, out, &["--allow"]);
+    assert_eq!(code(&output), 0, "{}", errors(&output));
+    let text = std::fs::read_to_string(folder.join(out).join("summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&text).unwrap();
+    let fault = &summary["interfaces"]["fault"];
+    let wall = |name: &str| {
+        let of = &summary["monitors"][name];
+        let peak = |key: &str| {
+            let value = |end: &str| of[key][end].as_f64().unwrap();
+            value("max").abs().max(value("min").abs())
+        };
+        peak("slip1").hypot(peak("slip2"))
+    };
+    let found = summary["conclusion"]["findings"].as_array().unwrap();
+    let finding = found.iter().find(|finding| finding["id"] == "interface_fault").unwrap();
+    Slid {
+        ends: fault["ends"].as_u64().unwrap(),
+        area: fault["ever_slid"].as_f64().unwrap(),
+        walls: ["left", "right"].map(wall),
+        text: finding.to_string(),
+    }
+}
+
+#[test]
+fn a_fault_slides_at_both_walls_as_in_a_mesh_split_by_hand() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let cut = slid(at, &case(GENERATED), "cut");
+    // The same mesh with a copy of each node of both sides for the elements above.
+    let made = tremolite(at, &["mesh", "convert", "case.toml", "hall.vtu"]);
+    assert_eq!(code(&made), 0, "{}", errors(&made));
+    let mut mesh = tremolite_mesh::read(at.join("hall.vtu")).unwrap();
+    let of = |group: &str| mesh.groups[group].clone();
+    let (above, below) = (of("fault.above"), of("fault.below"));
+    let nodes_of = |list: &[u32]| -> BTreeSet<u32> {
+        list.iter().flat_map(|&e| mesh.elements[e as usize].nodes().to_vec()).collect()
+    };
+    let both: Vec<u32> = nodes_of(&above).intersection(&nodes_of(&below)).copied().collect();
+    let first = mesh.nodes.len() as u32;
+    mesh.nodes.extend(both.iter().map(|&n| mesh.nodes[n as usize]).collect::<Vec<_>>());
+    for &e in &above {
+        for node in &mut mesh.elements[e as usize].nodes {
+            if let Ok(k) = both.binary_search(node) {
+                *node = first + k as u32;
+            }
+        }
+    }
+    mesh.node_ids.clear();
+    tremolite_mesh::write(at.join("split.vtu"), &mesh).unwrap();
+    let split = slid(at, &case("[mesh.file]\npath = \"split.vtu\"\n"), "split");
+    let tied = slid(at, &case(&format!("{GENERATED}across = \"whole\"\n")), "tied");
+    for (name, run) in [("cut", &cut), ("split", &split), ("tied", &tied)] {
+        let mm = run.walls.map(|slip| 1e3 * slip);
+        println!("{name}: {} ends, {:.2} m2 slid, {mm:?} mm at the walls", run.ends, run.area);
+    }
+    assert_eq!((cut.ends, split.ends), (0, 0));
+    // At rest to 10⁻⁵ of all contributions.
+    assert!((cut.area / split.area - 1.0).abs() < 1e-3, "{} {}", cut.area, split.area);
+    for k in 0..2 {
+        assert!(cut.walls[k] > 1e-6, "{:?}", cut.walls);
+        assert!((cut.walls[k] / split.walls[k] - 1.0).abs() < 1e-3, "{:?} {:?}", cut.walls, split.walls);
+        // Whole shotcrete holds the walls, and the result says so.
+        assert!(tied.walls[k] < 0.5 * cut.walls[k], "{:?} {:?}", cut.walls, tied.walls);
+    }
+    assert!(tied.ends > 0 && tied.text.contains("it cannot slide"), "{} {}", tied.ends, tied.text);
+    assert!(!cut.text.contains("cannot slide"), "{}", cut.text);
+}
