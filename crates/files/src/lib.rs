@@ -1,4 +1,4 @@
-//! Files that a run writes, so that a machine which loses power leaves what was said to be kept.
+//! Files that a run writes, so that a machine which loses power leaves what was said to be kept; and [`text`] of files that others wrote.
 //!
 //! A file is there to stay once its content was synced, and its name once the folder was: [`replace`] does both, and [`Appended`] does
 //! when it is told to. Everything that a run writes goes through here, so that a test can [`record`] it and ask of every
@@ -9,6 +9,7 @@
 mod appended;
 pub mod faults;
 pub mod record;
+pub mod text;
 
 pub use appended::Appended;
 
