@@ -48,22 +48,25 @@ pub enum TextColumn {
     Acceleration(Option<Orientation>),
     /// Nothing that is wanted.
     Skip,
+    /// The only one: all numbers are one acceleration, row by row.
+    Rows,
 }
 
 impl FromStr for TextColumn {
     type Err = String;
 
-    /// Reads `time`, `acceleration`, `skip`, or a direction (`east`, `north`, `up`, `N28W`, `332`, see
+    /// Reads `time`, `acceleration`, `skip`, `rows`, or a direction (`east`, `north`, `up`, `N28W`, `332`, see
     /// [`Orientation::parse`]) for an acceleration in that direction.
     fn from_str(word: &str) -> Result<TextColumn, String> {
         match word.trim() {
             "time" => Ok(TextColumn::Time),
             "acceleration" => Ok(TextColumn::Acceleration(None)),
             "skip" => Ok(TextColumn::Skip),
+            "rows" => Ok(TextColumn::Rows),
             other => Orientation::parse(other).map(|o| TextColumn::Acceleration(Some(o))).ok_or_else(|| {
                 format!(
                     "'{}' is not something a column can hold; use time, acceleration, east, north, up, an \
-                     azimuth such as N28W or 332, or skip",
+                     azimuth such as N28W or 332, skip, or rows alone",
                     shown(other)
                 )
             }),

@@ -30,7 +30,7 @@ pub(crate) static COMPONENT: Table = Table {
             "columns",
             Kind::List(&Kind::Word(TextColumn::WORDS), 1, 100),
             "",
-            "What the columns of a plain text file hold, from the left",
+            "What the columns of a plain text file hold, from the left; `rows` alone for one series in rows of numbers",
         )
         .when(When::Beside("file")),
         Key::optional("dt", DURATION, "", "Time between figures, where the file does not say")
@@ -64,6 +64,8 @@ words! {
         Acceleration = "acceleration",
         /// Something else.
         Skip = "skip",
+        /// The only word: all numbers are one acceleration, row by row.
+        Rows = "rows",
     }
 }
 
@@ -157,13 +159,15 @@ pub(super) fn check(component: &Fields, motion: &Fields, problems: &mut Vec<Diag
     }
     let columns = component.texts("columns");
     let all = |what: TextColumn| columns.iter().filter(move |c| c.value == what.word());
+    let rows = columns.len() == 1 && all(TextColumn::Rows).count() == 1;
     if let Some(first) = columns.first()
+        && !rows
         && all(TextColumn::Acceleration).count() != 1
     {
         problems.push(Diagnostic::at(
             first,
             "one column must be the acceleration",
-            "write columns = [\"time\", \"acceleration\"], with \"skip\" for the others",
+            "write columns = [\"time\", \"acceleration\"], with \"skip\" for the others, or columns = [\"rows\"] alone",
         ));
     }
     if let Some(time) = all(TextColumn::Time).nth(1) {

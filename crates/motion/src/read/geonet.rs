@@ -8,8 +8,9 @@
 //! than the first sample; here the first sample is at 0.
 
 use super::ReadOptions;
+use super::header::Direction;
 use super::source::{Columns, Source, leading_number, number};
-use crate::{Channel, Error, Orientation};
+use crate::{Channel, Error};
 
 const TEXT_LINES: usize = 16;
 const HEADER_LINES: usize = TEXT_LINES + 4 + 6;
@@ -67,7 +68,7 @@ fn component(source: &Source, at: usize, options: &ReadOptions) -> Result<(Chann
     let units = source.stated_units(line, words.next().unwrap_or(""), options.units)?;
     let (_, rest) = after("Component ")?;
     let label = rest.split_whitespace().next().unwrap_or("").to_string();
-    let orientation = Orientation::parse(&label);
+    let direction = Direction::parse(&label);
 
     let counts = (COUNTS.1..COUNTS.1 + 3).map(|i| {
         COLUMNS.word(source.lines[at + COUNTS.0], i).and_then(|w| w.parse::<usize>().ok()).ok_or_else(|| {
@@ -99,7 +100,7 @@ fn component(source: &Source, at: usize, options: &ReadOptions) -> Result<(Chann
         values.iter_mut().for_each(|v| *v *= factor);
         remarks.push(format!("The header says that the numbers are in units of {factor} {units}."));
     }
-    let channel = Channel { orientation, remarks, ..source.channel(Some(&label), dt, values) };
-    let channel = source.converted(at, units, options, channel)?;
+    let channel = Channel { remarks, ..source.channel(Some(&label), dt, values) };
+    let channel = source.converted(at, units, options, direction.given_to(channel))?;
     Ok((channel, begin + total))
 }

@@ -3,12 +3,13 @@
 //! Some lines of text, one of which holds the number of points and the interval, in either style:
 //! `NPTS=  7995, DT=  .0050 SEC` or `4000  0.0050  NPTS, DT`. Then the samples, any number on a line. The units
 //! stand in the text (`IN UNITS OF G`, `The units are (g)`). The second line of PEER's own files ends in the
-//! component's azimuth or `UP`.
+//! component's azimuth, `UP` or `DWN`; a vertical that is positive downwards is turned.
 
 use super::ReadOptions;
+use super::header::Direction;
 use super::source::{Source, leading_number, number};
 use crate::shown::shown;
-use crate::{Channel, Error, Orientation};
+use crate::{Channel, Error};
 
 /// How far down the line with NPTS and DT may stand.
 const HEADER_LINES: usize = 50;
@@ -68,8 +69,8 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
         ));
     }
     let label = source.lines.get(1).and_then(|l| l.rsplit_once(',')).map(|(_, label)| label.trim());
-    let orientation = if at >= 2 { label.and_then(Orientation::parse) } else { None };
-    let channel = Channel { orientation, ..source.channel(None, dt, values) };
+    let direction = label.filter(|_| at >= 2).map_or(Direction::Unknown, Direction::parse);
+    let channel = direction.given_to(source.channel(None, dt, values));
     Ok(vec![source.converted(at, units, options, channel)?])
 }
 

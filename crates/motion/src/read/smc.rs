@@ -17,7 +17,7 @@ use super::ReadOptions;
 use super::header::{Direction, named_apart};
 use super::pairs;
 use super::source::{Columns, Source, number};
-use crate::{Channel, Error};
+use crate::{Channel, Error, Orientation};
 
 const TEXT_LINES: usize = 11;
 const INTEGERS: Columns = Columns { per_line: 8, width: 10 };
@@ -174,15 +174,34 @@ fn trace(source: &Source, at: usize, end: usize, options: &ReadOptions) -> Resul
         }
     };
     let azimuth = integer(14).filter(|a| (0.0..=360.0).contains(a));
+    let text = source.lines[at..at + TEXT_LINES].iter().find_map(|l| Some(l.split_once("component=")?.1));
+    let text = Direction::parse(text.and_then(|t| t.split_whitespace().next()).unwrap_or(""));
+    let horizontal = |azimuth: f64| Direction::parse(&azimuth.to_string());
     let direction = match (integer(13), azimuth) {
         (Some(0.0), _) => Direction::parse("UP"),
         (Some(180.0), _) => Direction::Down,
-        (Some(90.0), Some(azimuth)) => Direction::parse(&azimuth.to_string()),
+        (Some(90.0), Some(azimuth)) => horizontal(azimuth),
+        // Without the angle from the vertical an azimuth of 0 may be that of a vertical component.
+        (None, Some(azimuth))
+            if text == horizontal(azimuth) || (text == Direction::Unknown && azimuth > 0.0) =>
+        {
+            remarks.push(format!(
+                "The header gives no angle from the vertical (integer 13); the azimuth of {azimuth} deg (integer 14) was taken."
+            ));
+            horizontal(azimuth)
+        }
+        (None, None | Some(0.0)) => text,
+        (None, Some(azimuth)) => {
+            remarks.push(format!(
+                "The azimuth of {azimuth} deg (integer 14) contradicts the component in words; neither was taken."
+            ));
+            Direction::Unknown
+        }
         _ => Direction::Unknown,
     };
     let label = match (direction, azimuth) {
-        (Direction::Unknown, _) => None,
-        (_, Some(azimuth)) if integer(13) == Some(90.0) => Some(format!("{azimuth} deg")),
+        (Direction::Along(Orientation::Azimuth(_)), Some(azimuth)) => Some(format!("{azimuth} deg")),
+        (Direction::Along(Orientation::Azimuth(_)) | Direction::Unknown, _) => None,
         _ => Some("vertical".to_string()),
     };
     let channel = Channel { start, remarks, ..source.channel(label.as_deref(), dt, values) };

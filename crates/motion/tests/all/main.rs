@@ -2,6 +2,7 @@
 
 mod formats;
 mod hostile;
+mod inputs;
 mod packing;
 mod readers;
 mod records;

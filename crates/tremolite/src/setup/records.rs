@@ -329,6 +329,7 @@ fn record_channel(
             case::TextColumn::Time => TextColumn::Time,
             case::TextColumn::Acceleration => TextColumn::Acceleration(None),
             case::TextColumn::Skip => TextColumn::Skip,
+            case::TextColumn::Rows => TextColumn::Rows,
         })
         .collect();
     let options = ReadOptions {

@@ -72,7 +72,8 @@ fn a_trace_that_looks_down_is_turned() {
     assert_eq!((channel.orientation, channel.acceleration[0]), (Some(Orientation::Up), 0.015));
     assert!(channel.remarks[0].contains("down is positive"));
     let unknown = parse(&corrected([UNKNOWN, 30]), &ReadOptions::default()).unwrap().remove(0);
-    assert_eq!((unknown.orientation, unknown.name.as_str()), (None, "small"));
+    assert_eq!((unknown.orientation, unknown.name.as_str()), (azimuth(30.0), "small 30 deg"));
+    assert!(unknown.remarks[0].contains("integer 14"));
 }
 
 /// Integer 17 counts numbers in the files met; a file with twice as many must have counted pairs. Whole lines behind the
