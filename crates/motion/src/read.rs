@@ -1,9 +1,13 @@
 //! Reading of records, one file a format.
 
+mod bhrc;
 mod cosmos;
 mod csmip;
+mod csmnc;
 mod date;
+mod declared;
 mod esm;
+mod foreign;
 mod fortran;
 mod geonet;
 mod header;
@@ -13,18 +17,24 @@ mod mseed;
 mod packing;
 mod pairs;
 mod peer_at2;
+mod sac;
 mod smc;
 mod source;
+mod stations;
 mod text;
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::sync::Arc;
+
+use tremolite_files::text::{Encoding, decode};
 
 use crate::shown::shown;
 use crate::{Channel, Error, Orientation, Sensitivity, Units};
 use source::Source;
+pub use stations::Stations;
 
 /// What a file does not say itself. For files that do say it, a statement here must agree.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -37,6 +47,30 @@ pub struct ReadOptions {
     pub dt: Option<f64>,
     /// What turns counts into acceleration, for formats that hold counts.
     pub sensitivity: Option<Sensitivity>,
+    /// Metadata that have the sensitivity and the direction by channel and time, for miniSEED and SAC.
+    pub stations: Option<Arc<Stations>>,
+    /// Encoding of the text, where it is neither UTF-8 nor GB18030.
+    pub encoding: Option<&'static Encoding>,
+}
+
+impl ReadOptions {
+    /// Takes a sensitivity as users write it: counts per unit of acceleration, or the name of a StationXML file, which ends in `.xml`.
+    ///
+    /// # Errors
+    /// A sentence, if it is neither, or if the file cannot be read.
+    pub fn with_sensitivity(
+        mut self,
+        written: &str,
+        place: impl FnOnce(&Path) -> PathBuf,
+    ) -> Result<ReadOptions, String> {
+        if written.trim().to_ascii_lowercase().ends_with(".xml") {
+            let stations = Stations::read(&place(Path::new(written.trim()))).map_err(|e| e.to_string())?;
+            self.stations = Some(Arc::new(stations));
+        } else {
+            self.sensitivity = Some(written.parse()?);
+        }
+        Ok(self)
+    }
 }
 
 /// What a column of text holds.
@@ -80,22 +114,33 @@ pub struct Format {
     pub name: &'static str,
     /// Whether the content looks like this format.
     recognises: fn(&Source) -> bool,
+    /// Whether its text has an encoding.
+    is_text: bool,
     /// Reads all channels of the file.
     read: fn(&Source, &ReadOptions) -> Result<Vec<Channel>, Error>,
 }
 
 /// All formats, tried in this order. The last takes whatever is left.
 pub const FORMATS: &[Format] = &[
-    Format { name: "GeoNet V1A, V2A", recognises: geonet::recognises, read: geonet::read },
-    Format { name: "COSMOS", recognises: cosmos::recognises, read: cosmos::read },
-    Format { name: "SMC", recognises: smc::recognises, read: smc::read },
-    Format { name: "CSMIP, CDMG, USC", recognises: csmip::recognises, read: csmip::read },
-    Format { name: "miniSEED", recognises: mseed::recognises, read: mseed::read },
-    Format { name: "K-NET, KiK-net", recognises: knet::recognises, read: knet::read },
-    Format { name: "ESM (DYNA)", recognises: esm::recognises, read: esm::read },
-    Format { name: "ITACA", recognises: itaca::recognises, read: itaca::read },
-    Format { name: "PEER AT2", recognises: peer_at2::recognises, read: peer_at2::read },
-    Format { name: COLUMNS, recognises: |_| true, read: text::read },
+    Format { name: "GeoNet V1A, V2A", recognises: geonet::recognises, is_text: true, read: geonet::read },
+    Format { name: "COSMOS", recognises: cosmos::recognises, is_text: true, read: cosmos::read },
+    Format { name: "SMC", recognises: smc::recognises, is_text: true, read: smc::read },
+    Format { name: "CSMIP, CDMG, USC", recognises: csmip::recognises, is_text: true, read: csmip::read },
+    Format { name: "miniSEED", recognises: mseed::recognises, is_text: false, read: mseed::read },
+    Format { name: "SAC", recognises: sac::recognises, is_text: false, read: sac::read },
+    Format { name: "CSMNC", recognises: csmnc::recognises, is_text: true, read: csmnc::read },
+    Format { name: "BHRC", recognises: bhrc::recognises, is_text: true, read: bhrc::read },
+    Format {
+        name: "AFAD, CWB, JMA, ASA",
+        recognises: declared::recognises,
+        is_text: true,
+        read: declared::read,
+    },
+    Format { name: "K-NET, KiK-net", recognises: knet::recognises, is_text: true, read: knet::read },
+    Format { name: "ESM (DYNA)", recognises: esm::recognises, is_text: true, read: esm::read },
+    Format { name: "ITACA", recognises: itaca::recognises, is_text: true, read: itaca::read },
+    Format { name: "PEER AT2", recognises: peer_at2::recognises, is_text: true, read: peer_at2::read },
+    Format { name: COLUMNS, recognises: |_| true, is_text: true, read: text::read },
 ];
 
 /// The last of [`FORMATS`], which alone has columns that can be declared.
@@ -129,11 +174,31 @@ pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Ve
         let problem = format!("the file has more than {MOST_LINES} lines");
         return Err(Error::record(path, MOST_LINES, problem, "give a single record"));
     }
-    let text = String::from_utf8_lossy(bytes);
+    let decoded = decode(bytes, options.encoding);
+    let undecoded = decoded.is_none();
+    let note = match &decoded {
+        Some(text) => text.note(),
+        None => Some("The text is neither UTF-8 nor GB18030; `encoding` states its encoding.".to_owned()),
+    };
+    let text = decoded.map_or_else(|| String::from_utf8_lossy(bytes), |decoded| decoded.text);
     let source = Source::new(path, bytes, &text);
     let Some(format) = of(&source) else {
         return Err(source.error(0, "the format is not known", "convert the record to two columns of text"));
     };
+    if format.name == COLUMNS {
+        foreign::binary(&source)?;
+    }
+    if let (true, true, Some(encoding)) = (undecoded, format.is_text, options.encoding) {
+        let problem = format!("the text has bytes that are no characters of {}", encoding.name());
+        return Err(source.error(0, problem, "declare another encoding, or none"));
+    }
+    if options.stations.is_some() && format.is_text {
+        return Err(source.error(
+            0,
+            format!("StationXML was declared, but this is a file in the format {}", format.name),
+            "remove the declaration; it serves miniSEED and SAC",
+        ));
+    }
     if options.columns.is_some() && format.name != COLUMNS {
         return Err(source.error(
             0,
@@ -142,7 +207,10 @@ pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Ve
         ));
     }
     let mut channels = (format.read)(&source, options)?;
-    channels.iter_mut().for_each(|channel| channel.format = format.name);
+    for channel in &mut channels {
+        channel.format = format.name;
+        channel.remarks.extend(note.clone().filter(|_| format.is_text));
+    }
     Ok(channels)
 }
 
@@ -150,7 +218,8 @@ pub fn read_bytes(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Ve
 pub fn recognised(bytes: &[u8]) -> Option<&'static Format> {
     let path = Path::new("");
     let bytes = packing::unpacked(path, bytes, LARGEST).ok()?;
-    of(&Source::new(path, &bytes, &String::from_utf8_lossy(&bytes)))
+    let text = decode(&bytes, None).map_or_else(|| String::from_utf8_lossy(&bytes), |decoded| decoded.text);
+    of(&Source::new(path, &bytes, &text))
 }
 
 fn of(source: &Source) -> Option<&'static Format> {

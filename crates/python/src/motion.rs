@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 use tremolite_motion::{
-    Channel, Error, Geographic, Intensity, Orientation, Process, ReadOptions, Sensitivity, Units, process,
+    Channel, Error, Geographic, Intensity, Orientation, Process, ReadOptions, TextColumn, Units, process,
     pseudo_acceleration, read, write_text,
 };
 
@@ -78,13 +78,15 @@ pub fn to_python<'py>(py: Python<'py>, channels: &[Channel]) -> PyResult<Bound<'
 
 /// Reads a record, in whatever format; a `Motion`, and what reading did beside reading, a sentence each.
 #[pyfunction]
-#[pyo3(signature = (path, units = None, dt = None, sensitivity = None))]
+#[pyo3(signature = (path, units = None, dt = None, sensitivity = None, columns = None, encoding = None))]
 fn read_record<'py>(
     py: Python<'py>,
     path: PathBuf,
     units: Option<&str>,
     dt: Option<f64>,
     sensitivity: Option<&str>,
+    columns: Option<Vec<String>>,
+    encoding: Option<&str>,
 ) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
     let units = units.map(|word| {
         word.parse::<Units>().map_err(|_| {
@@ -93,9 +95,14 @@ fn read_record<'py>(
             ))
         })
     });
-    let sensitivity = sensitivity.map(|text| text.parse::<Sensitivity>().map_err(unusable));
-    let options =
-        ReadOptions { units: units.transpose()?, columns: None, dt, sensitivity: sensitivity.transpose()? };
+    let columns: Option<Result<Vec<TextColumn>, String>> =
+        columns.map(|words| words.iter().map(|word| word.parse()).collect());
+    let columns = columns.transpose().map_err(unusable)?;
+    let encoding = encoding.map(tremolite_motion::encoding).transpose().map_err(unusable)?;
+    let mut options = ReadOptions { units: units.transpose()?, columns, dt, encoding, ..ReadOptions::default() };
+    if let Some(written) = sensitivity {
+        options = options.with_sensitivity(written, PathBuf::from).map_err(unusable)?;
+    }
     let channels = py.detach(|| read(&path, &options)).map_err(told)?;
     if let Some(raw) = channels.iter().find(|channel| channel.raw) {
         return Err(unusable(format!(

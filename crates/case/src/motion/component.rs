@@ -36,6 +36,7 @@ pub(crate) static COMPONENT: Table = Table {
         Key::optional("dt", DURATION, "", "Time between figures, where the file does not say")
             .when(When::Beside("file")),
         Key::optional("sensitivity", Kind::Text, "", super::SENSITIVITY).when(When::Beside("file")),
+        Key::optional("encoding", Kind::Text, "", super::ENCODING).when(When::Beside("file")),
         Key::optional("from", Kind::Word(Direction::WORDS), "", "The component this one is made of"),
         Key::required("factor", Kind::Number(Dimension::NONE, Limit::Any), "this component over the other")
             .when(When::Beside("from")),
@@ -107,6 +108,8 @@ pub struct Record {
     pub dt: Option<Spanned<f64>>,
     /// What a count of the file is, as written; read by the motion crate.
     pub sensitivity: Option<Spanned<String>>,
+    /// Encoding of the file's text, as written.
+    pub encoding: Option<Spanned<String>>,
 }
 
 impl Component {
@@ -128,7 +131,7 @@ impl Component {
             };
             Some(Spanned::new(unit, node.span.clone()))
         });
-        let sensitivity = f.text("sensitivity");
+        let (sensitivity, encoding) = (f.text("sensitivity"), f.text("encoding"));
         let columns = f.list("columns").iter().filter_map(|n| {
             let word = n.text()?;
             Some(Spanned::new(TextColumn::from_word(&word)?, word.span))
@@ -138,7 +141,7 @@ impl Component {
         match file {
             Some(file) => {
                 let file = Spanned::new(file.value.into(), file.span);
-                Some(Component::Record(Record { file, channel, units, columns, dt, sensitivity }))
+                Some(Component::Record(Record { file, channel, units, columns, dt, sensitivity, encoding }))
             }
             None => Some(Component::Scaled { from: from?, factor: factor? }),
         }

@@ -51,6 +51,7 @@ pub(crate) static MOTION: Table = Table {
         ),
         Key::optional("file", Kind::File, "", "File with all components, taken by their orientation"),
         Key::optional("sensitivity", Kind::Text, "", SENSITIVITY).when(When::Beside("file")),
+        Key::optional("encoding", Kind::Text, "", ENCODING).when(When::Beside("file")),
         Key::optional("east", Kind::Table(&component::COMPONENT), "", "Component towards east"),
         Key::optional("north", Kind::Table(&component::COMPONENT), "", "Component towards north"),
         Key::optional("up", Kind::Table(&component::COMPONENT), "", "Component upwards"),
@@ -94,7 +95,10 @@ pub(crate) static MOTION: Table = Table {
 };
 
 /// What the keys of that name say.
-const SENSITIVITY: &str = "What a count is, where the file holds counts: \"427336 counts/(m/s2)\", of the network's station metadata";
+const SENSITIVITY: &str = "What a count is, where the file holds counts: \"427336 counts/(m/s2)\", of the network's station metadata; or their \
+                           StationXML file (`.xml`), for miniSEED and SAC, which has the directions too";
+/// What the keys of that name say.
+const ENCODING: &str = "Encoding of the file's text, where it is neither UTF-8 nor GB18030: \"big5\", \"shift_jis\", \"windows-1252\" …";
 
 pub(crate) const WINDOW_KIND: Kind = Kind::Either(&[Kind::List(&TIME, 2, 2), Kind::Table(&WINDOW)]);
 
@@ -132,6 +136,8 @@ pub struct Motion {
     pub records: Records,
     /// What a count of the one file is, as written; read by the motion crate. Files of components have their own.
     pub sensitivity: Option<Spanned<String>>,
+    /// Encoding of the one file's text, as written.
+    pub encoding: Option<Spanned<String>>,
     /// The spectrum that the design calls for.
     pub target: Option<Target>,
     /// The part that is used; nothing: all.
@@ -185,6 +191,7 @@ impl Motion {
             window,
             target: Target::read(f),
             sensitivity: f.text("sensitivity"),
+            encoding: f.text("encoding"),
             process: f.texts("process"),
             model_x_azimuth: f.number("model_x_azimuth")?,
             waves: f.tables("wave").filter_map(Wave::read).collect(),

@@ -91,11 +91,11 @@ fn head(line: &str) -> Option<Head<'_>> {
 }
 
 /// The unit at the beginning of a text such as ` of g .   Format`, `: CM/SEC/SEC)` or ` ARE SEC AND G/10.   MAX`.
-fn unit(text: &str) -> &str {
+pub(super) fn unit(text: &str) -> &str {
     let mut text = text.trim_start_matches([':', ' ']);
     let upper = capitals(text);
     // Of times nothing need be said, so what stands behind 'SEC AND' is the unit.
-    for phrase in ["SEC AND ", " IS ", "ARE ", "OF "] {
+    for phrase in ["SEC AND ", "SECONDS AND ", " IS ", "ARE ", "OF "] {
         if let Some(at) = upper.find(phrase) {
             text = &text[at + phrase.len()..];
             break;
@@ -106,7 +106,12 @@ fn unit(text: &str) -> &str {
 }
 
 /// Units of a word, with the factor of `G/10`.
-fn units(source: &Source, line: usize, word: &str, options: &ReadOptions) -> Result<(Units, f64), Error> {
+pub(super) fn units(
+    source: &Source,
+    line: usize,
+    word: &str,
+    options: &ReadOptions,
+) -> Result<(Units, f64), Error> {
     let tenths = word.eq_ignore_ascii_case("g/10");
     match (word, options.units) {
         ("", Some(units)) => Ok((units, 1.0)),

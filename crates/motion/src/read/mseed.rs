@@ -1,7 +1,7 @@
 //! miniSEED, versions 2 and 3: records of one or more channels, joined in time.
 //!
 //! The samples are counts of a digitiser, and what a count is stands elsewhere, in the station's StationXML; so they stay counts
-//! unless a sensitivity is declared. Floats may be accelerations already, if their units are declared. A channel is named by
+//! unless a sensitivity is declared, or read from StationXML. Floats may be accelerations already, if their units are declared. A channel is named by
 //! network, station, location and code. The code's second letter is the instrument (SEED manual, appendix A): counts
 //! of anything but an accelerometer (`N`) are not taken for acceleration. Times are UTC. The last record of a channel need not be
 //! full, and records may come in any order, but each must begin where the one before ends, to half a sample.
@@ -11,6 +11,7 @@ mod samples;
 
 use std::collections::BTreeMap;
 
+use super::header::Direction;
 use super::source::Source;
 use super::{ReadOptions, date};
 use crate::{Channel, Error, Orientation, Units};
@@ -35,7 +36,7 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
             source.file,
             0,
             "this is a full SEED volume, not miniSEED",
-            "take its data records out as miniSEED (rdseed does), and declare the sensitivity that it states",
+            "convert it with ObsPy: obspy.read(\"record\").write(\"record.mseed\", format=\"MSEED\"); and declare its sensitivity",
         ));
     }
     let mut channels: BTreeMap<String, Vec<Record>> = BTreeMap::new();
@@ -62,22 +63,33 @@ pub(super) fn read(source: &Source, options: &ReadOptions) -> Result<Vec<Channel
             remarks.push("records were not in the order of time, and were put into it".to_string());
         }
         let float = records.iter().all(|r| r.float);
+        let seconds = start as f64 / 1e9;
+        let samples: usize = records.iter().map(|r| r.samples.len()).sum();
+        let epoch =
+            options.stations.as_ref().map(|s| s.epoch(&name, seconds, seconds + dt * (samples - 1) as f64));
+        let epoch =
+            epoch.transpose().map_err(|(problem, remedy)| Error::binary(source.file, at, problem, remedy))?;
+        let sensitivity = epoch.as_ref().map(|e| e.sensitivity).or(options.sensitivity);
+        let options = &ReadOptions { sensitivity, ..options.clone() };
         let units = units(source, at, &name, float, options)?;
         remarks.extend(instrument(&name).remark());
+        remarks.extend(epoch.iter().flat_map(|e| e.remarks()));
+        let by_code =
+            || Orientation::of_channel_code(code(&name)).map_or(Direction::Unknown, Direction::Along);
+        let direction = epoch.and_then(|e| e.direction).unwrap_or_else(by_code);
         let dt = source.stated_interval(0, dt, options.dt).map_err(|e| e.at_byte(at))?;
-        let mut values = Vec::with_capacity(records.iter().map(|r| r.samples.len()).sum());
+        let mut values = Vec::with_capacity(samples);
         records.into_iter().for_each(|mut r| values.append(&mut r.samples));
         let label = several.then_some(name.as_str());
         let channel = Channel {
             start: (start - earliest) as f64 / 1e9,
-            clock: Some(start as f64 / 1e9),
-            orientation: Orientation::of_channel_code(code(&name)),
+            clock: Some(seconds),
             // Floats in a declared unit of acceleration are what another program made of them.
             other_sensor: units == Units::Counts && !instrument(&name).accelerates(),
             remarks,
             ..source.channel(label, dt, values)
         };
-        source.converted(0, units, options, channel).map_err(|e| e.at_byte(at))
+        source.converted(0, units, options, direction.given_to(channel)).map_err(|e| e.at_byte(at))
     };
     channels.into_iter().map(read).collect()
 }
@@ -150,6 +162,11 @@ fn instrument(name: &str) -> Instrument {
     }
 }
 
+/// Whether a channel is of an accelerometer, perhaps, by its code.
+pub(super) fn accelerates(name: &str) -> bool {
+    instrument(name).accelerates()
+}
+
 impl Instrument {
     /// Whether it records acceleration, perhaps.
     fn accelerates(self) -> bool {
@@ -172,7 +189,13 @@ impl Instrument {
 }
 
 /// Units of a channel's samples: counts, or for floats what was declared.
-fn units(source: &Source, at: usize, name: &str, float: bool, options: &ReadOptions) -> Result<Units, Error> {
+pub(super) fn units(
+    source: &Source,
+    at: usize,
+    name: &str,
+    float: bool,
+    options: &ReadOptions,
+) -> Result<Units, Error> {
     let fault = |problem: String, remedy: &str| Err(Error::binary(source.file, at, problem, remedy));
     let known = instrument(name).accelerates();
     match (options.units.unwrap_or(Units::Counts), options.sensitivity) {

@@ -6,15 +6,20 @@ use std::path::Path;
 
 use flate2::read::MultiGzDecoder;
 
+use super::foreign;
 use crate::Error;
 
-/// Beginnings of what is packed in other ways, the place (byte) of each, and what undoes it.
-const OTHERS: [(usize, &[u8], &str); 5] = [
-    (0, b"PK\x03\x04", "unzip"),
-    (0, b"BZh", "bunzip2"),
-    (0, b"\xfd7zXZ\0", "unxz"),
-    (0, b"\x1f\x9d", "uncompress"),
-    (257, b"ustar", "tar -x"),
+/// Beginnings of what is packed in other ways, the place (byte) of each, its name, and what undoes it.
+const OTHERS: [(usize, &[u8], &str, &str); 9] = [
+    (0, b"PK\x03\x04", "zip", "unzip"),
+    (0, b"BZh", "bzip2", "bunzip2"),
+    (0, b"\xfd7zXZ\0", "xz", "unxz"),
+    (0, b"\x1f\x9d", "compress", "uncompress"),
+    (0, b"\x28\xb5\x2f\xfd", "Zstandard", "unzstd"),
+    (0, b"\x04\x22\x4d\x18", "LZ4", "unlz4"),
+    (0, b"7z\xbc\xaf\x27\x1c", "7-Zip", "7z x"),
+    (0, b"Rar!\x1a\x07", "RAR", "unrar x"),
+    (257, b"ustar", "tar", "tar -xf"),
 ];
 
 const GZIP: &[u8] = &[0x1f, 0x8b];
@@ -48,9 +53,10 @@ pub(super) fn unpacked<'a>(path: &Path, bytes: &'a [u8], largest: u64) -> Result
     } else {
         Cow::Borrowed(bytes)
     };
-    match OTHERS.iter().find(|(at, magic, _)| content.get(*at..).is_some_and(|c| c.starts_with(magic))) {
-        Some((_, _, program)) => refuse(
-            "the file is packed in a way that is not read".into(),
+    foreign::refused(path, &content)?;
+    match OTHERS.iter().find(|(at, magic, ..)| content.get(*at..).is_some_and(|c| c.starts_with(magic))) {
+        Some((.., name, program)) => refuse(
+            format!("the file is packed by {name}, which is not read"),
             &format!("unpack it first ({program})"),
         ),
         None => Ok(content),

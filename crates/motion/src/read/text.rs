@@ -392,7 +392,7 @@ fn direction(source: &Source) -> Direction {
 }
 
 /// Start (s) and interval (s) of a column of times, which must be equally spaced.
-fn time_base(
+pub(super) fn time_base(
     source: &Source,
     rows: &[usize],
     times: &[f64],

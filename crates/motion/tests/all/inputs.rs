@@ -211,3 +211,77 @@ fn an_smc_azimuth_counts_without_the_angle_from_the_vertical() {
     assert_eq!(changed("component= ?", "0").orientation, None);
     assert_eq!(degrees(&changed("component= ?", "90")), Some(90.0));
 }
+
+/// Files that need no declaration: the orientations by channel, and the peak of the strongest.
+#[test]
+fn files_of_networks_are_read_as_they_are() {
+    let (north, east, up) = (Some(Orientation::NORTH), Some(Orientation::EAST), Some(Orientation::Up));
+    let azimuth = |degrees| Some(Orientation::from_degrees(degrees));
+    for (name, looks) in [
+        ("china_csmnc_eight_values_a_line.dat", vec![east]),
+        ("iran_bhrc_three_components.V1", vec![azimuth(352.0), up, azimuth(82.0)]),
+        ("turkey_afad_three_columns.txt", vec![north, east, up]),
+        ("taiwan_cwb_four_columns.dat", vec![up, north, east]),
+        ("mexico_asa2_three_columns.101", vec![up, north, east]),
+        ("japan_jma.csv", vec![north, east, up]),
+    ] {
+        let channels = read(&path(name), &ReadOptions::default()).unwrap();
+        assert_eq!(channels.iter().map(|c| c.orientation).collect::<Vec<_>>(), looks, "{name}");
+        let strongest = channels.iter().max_by(|a, b| peak(a).abs().total_cmp(&peak(b).abs())).unwrap();
+        is_motion(strongest, PEAK);
+    }
+}
+
+#[test]
+fn a_sac_file_is_read_with_its_unit_declared() {
+    let file = path("binary_record_told_to_put_hash.sac");
+    let channel = read(&file, &gal()).unwrap().remove(0);
+    is_motion(&channel, PEAK);
+    assert_eq!((channel.format, channel.orientation), ("SAC", Some(Orientation::EAST)));
+    let message = read(&file, &ReadOptions::default()).unwrap_err().to_string();
+    assert!(message.contains("--units cm/s2") && !message.contains('#'), "{message}");
+}
+
+/// The figures of `independent.py`, which shares nothing with the readers.
+#[test]
+fn an_independent_reader_finds_the_same_figures() {
+    let mut compared = 0;
+    for line in include_str!("../data/independent.csv").lines().skip(1) {
+        let [name, component, npts, dt, pga] = line.split(',').collect::<Vec<_>>()[..] else {
+            panic!("{line}")
+        };
+        let channels = read(&path(name), &ReadOptions::default()).unwrap();
+        let channel = &channels[component.parse::<usize>().unwrap()];
+        assert_eq!(
+            (channel.acceleration.len(), channel.dt),
+            (npts.parse().unwrap(), dt.parse().unwrap()),
+            "{line}"
+        );
+        let pga: f64 = pga.parse().unwrap();
+        assert!((peak(channel) - pga).abs() <= 1e-13 * pga.abs(), "{line}: {}", peak(channel));
+        compared += 1;
+    }
+    assert_eq!(compared, 13);
+}
+
+#[test]
+fn names_in_another_encoding_do_not_hinder_a_record() {
+    let gbk = b"# \xce\xa7\xd1\xd2\n# units = \"cm/s2\"\n0 1\n0.1 2\n";
+    let read = |bytes: &[u8], encoding: &str| {
+        let encoding = tremolite_motion::encoding(encoding).ok();
+        read_bytes(Path::new("a"), bytes, &ReadOptions { encoding, ..ReadOptions::default() })
+    };
+    let assumed = read(gbk, "").unwrap().remove(0);
+    assert_eq!(assumed.acceleration, [0.01, 0.02]);
+    assert!(assumed.remarks[0].contains("gb18030"), "{:?}", assumed.remarks);
+    assert!(read(gbk, "gbk").unwrap()[0].remarks.is_empty());
+    assert!(
+        read(b"# caf\xe9 \n# units = g\n0 1\n1 2\n", "").unwrap()[0].remarks[0].contains("neither UTF-8")
+    );
+    let wrong = read(b"# \xff\n# units = g\n0 1\n1 2\n", "big5").unwrap_err().to_string();
+    assert!(wrong.contains("no characters of Big5"), "{wrong}");
+    let units = "# units = \"g\"\n0 1\n0.1 2\n";
+    let utf16: Vec<u8> =
+        [0xfeff].into_iter().chain(units.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    assert_eq!(read(&utf16, "").unwrap()[0].dt, 0.1);
+}

@@ -151,12 +151,14 @@ class Motion:
         units: str | None = None,
         dt: float | None = None,
         sensitivity: str | None = None,
+        columns: list[str] | None = None,
+        encoding: str | None = None,
     ) -> Motion:
         """Reads a record of any format that the program knows (`tremolite list formats`), told by its content.
 
-        `units`, `dt` [s] and `sensitivity` are for files that do not say, as in a case. Remarks of the reader are warned of.
+        `units`, `dt` [s], `sensitivity`, `columns` and `encoding` are for files that do not say, as in a case. Remarks of the reader are warned of.
         """
-        motion, remarks = read_record(path, units, dt, sensitivity)
+        motion, remarks = read_record(path, units, dt, sensitivity, columns, encoding)
         for remark in remarks:
             warnings.warn(f"{os.fspath(path)}: {remark}", stacklevel=2)
         return motion

@@ -7,7 +7,7 @@ use tremolite_case::{
     self as case, Case, Component, Diagnostic, Direction, RecordUnit, Records, Spanned, Window,
 };
 use tremolite_motion::{
-    Channel, Geographic, Orientation, ReadOptions, Sensitivity, TextColumn, Units, align, common_time_base,
+    Channel, Encoding, Geographic, Orientation, ReadOptions, TextColumn, Units, align, common_time_base,
     read, strongest_window,
 };
 
@@ -26,8 +26,9 @@ pub fn of(
     // Each with the place of its file in the case.
     let (mut channels, places) = match &motion.records {
         Records::File(file) => {
-            let sensitivity = sensitivity(motion.sensitivity.as_ref(), problems)?;
-            let options = ReadOptions { sensitivity, ..ReadOptions::default() };
+            let encoding = encoding(motion.encoding.as_ref(), problems)?;
+            let options = ReadOptions { encoding, ..ReadOptions::default() };
+            let options = with_sensitivity(case, options, motion.sensitivity.as_ref(), problems)?;
             let all = channels(case, &file.value, held, &options)
                 .map_err(|(message, mut remedy)| {
                     if ["units =", "columns =", "dt ="].iter().any(|key| remedy.contains(key)) {
@@ -138,17 +139,34 @@ fn refuse_what_is_no_acceleration(
     (problems.len() == before).then_some(())
 }
 
-/// The sensitivity that is written; none if it cannot be read, which is then among the problems.
-fn sensitivity(
+/// The options with the sensitivity or the StationXML file that is written; none if it cannot be read, which is then among the problems.
+fn with_sensitivity(
+    case: &Case,
+    options: ReadOptions,
     written: Option<&Spanned<String>>,
     problems: &mut Vec<Diagnostic>,
-) -> Option<Option<Sensitivity>> {
-    let Some(written) = written else { return Some(None) };
-    match written.value.parse() {
-        Ok(sensitivity) => Some(Some(sensitivity)),
+) -> Option<ReadOptions> {
+    let Some(written) = written else { return Some(options) };
+    match options.with_sensitivity(&written.value, |file| case.resolve(file)) {
+        Ok(options) => Some(options),
         Err(message) => {
             let remedy = "take the figure from the network's station metadata, where it is often called InstrumentSensitivity";
             problems.push(Diagnostic::at(written, message, remedy));
+            None
+        }
+    }
+}
+
+/// The encoding that is written; none if there is no such, which is then among the problems.
+fn encoding(
+    written: Option<&Spanned<String>>,
+    problems: &mut Vec<Diagnostic>,
+) -> Option<Option<&'static Encoding>> {
+    let Some(written) = written else { return Some(None) };
+    match tremolite_motion::encoding(&written.value) {
+        Ok(encoding) => Some(Some(encoding)),
+        Err(message) => {
+            problems.push(Diagnostic::at(written, message, "write one of these names"));
             None
         }
     }
@@ -336,8 +354,10 @@ fn record_channel(
         units,
         columns: (!columns.is_empty()).then_some(columns),
         dt: record.dt.as_ref().map(|d| d.value),
-        sensitivity: sensitivity(record.sensitivity.as_ref(), problems)?,
+        encoding: encoding(record.encoding.as_ref(), problems)?,
+        ..ReadOptions::default()
     };
+    let options = with_sensitivity(case, options, record.sensitivity.as_ref(), problems)?;
     let channels = match channels(case, &record.file.value, held, &options) {
         Ok(channels) => channels,
         Err((message, remedy)) => {

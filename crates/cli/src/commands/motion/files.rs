@@ -2,33 +2,59 @@
 
 use crate::exit::Failure;
 use std::path::PathBuf;
-use tremolite_motion::{Channel, ReadOptions, Sensitivity, Units, read};
+use tremolite_motion::{Channel, ReadOptions, TextColumn, Units, encoding, read};
 
 #[derive(clap::Args)]
 pub struct Files {
     /// Records in any supported format
     #[arg(required = true)]
     files: Vec<PathBuf>,
+    #[command(flatten)]
+    declared: Declared,
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What files do not say themselves.
+#[derive(clap::Args)]
+pub struct Declared {
     /// Units of text files: g, m/s2, cm/s2, mm/s2 or counts
     #[arg(long)]
     units: Option<String>,
+    /// Columns of text files from the left: time, acceleration, east, north, up, an azimuth or skip; or rows alone, for one
+    /// series in rows of numbers
+    #[arg(long, value_delimiter = ',', value_name = "COLUMN,…")]
+    columns: Option<Vec<String>>,
     /// Sampling interval of one-column text files: "0.005 s", "5 ms", or a bare number in s
     #[arg(long, value_parser = interval)]
     dt: Option<f64>,
-    /// What a count is, for files in counts: "427336 counts/(m/s2)"
+    /// What a count is, for files in counts: "427336 counts/(m/s2)", or the StationXML file of miniSEED and SAC
     #[arg(long)]
     sensitivity: Option<String>,
+    /// Encoding of text that is neither UTF-8 nor GB18030: big5, shift_jis, windows-1252 …
     #[arg(long)]
-    pub json: bool,
+    encoding: Option<String>,
+}
+
+impl Declared {
+    /// The same, read.
+    pub fn options(&self) -> Result<ReadOptions, Failure> {
+        let units = self.units.as_deref().map(str::parse::<Units>).transpose().map_err(Failure::input)?;
+        let columns = self.columns.as_ref().map(|words| words.iter().map(|word| word.parse()).collect());
+        let columns: Option<Vec<TextColumn>> = columns.transpose().map_err(Failure::input::<String>)?;
+        let encoding = self.encoding.as_deref().map(encoding).transpose().map_err(Failure::input)?;
+        let options = ReadOptions { units, columns, dt: self.dt, encoding, ..ReadOptions::default() };
+        match &self.sensitivity {
+            Some(written) => options.with_sensitivity(written, PathBuf::from).map_err(Failure::input),
+            None => Ok(options),
+        }
+    }
 }
 
 impl Files {
     /// The channels of all files, in their order; some may be in counts still. Faults are told of all files at once.
     pub fn channels(&self) -> Result<Vec<Channel>, Failure> {
-        let units = self.units.as_deref().map(str::parse::<Units>).transpose().map_err(Failure::input)?;
-        let sensitivity =
-            self.sensitivity.as_deref().map(str::parse::<Sensitivity>).transpose().map_err(Failure::input)?;
-        let options = ReadOptions { units, dt: self.dt, sensitivity, ..ReadOptions::default() };
+        let options = self.declared.options()?;
         let (mut all, mut faults) = (Vec::new(), Vec::new());
         for file in &self.files {
             match read(file, &options) {

@@ -1,11 +1,12 @@
 //! `tremolite motion select`: records of a folder by how near they are to a target spectrum.
 
+use super::files::Declared;
 use super::fit::Fit;
 use super::measures::figures;
 use crate::exit::{Code, Failure, Outcome};
 use crate::terminal::{print, say};
 use std::path::PathBuf;
-use tremolite_motion::{Channel, Process, ReadOptions, Units, read, select};
+use tremolite_motion::{Channel, Process, ReadOptions, read, select};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -19,9 +20,8 @@ pub struct Args {
     /// Smallest and largest factor that a record may be multiplied by
     #[arg(long, num_args = 2, value_names = ["LEAST", "MOST"], default_values_t = [0.25, 4.0])]
     factors: Vec<f64>,
-    /// Units of text files: g, m/s2, cm/s2 or mm/s2
-    #[arg(long)]
-    units: Option<String>,
+    #[command(flatten)]
+    declared: Declared,
     #[arg(long)]
     json: bool,
 }
@@ -36,8 +36,7 @@ pub fn run(args: &Args) -> Outcome {
             ));
         }
     };
-    let units = args.units.as_deref().map(str::parse::<Units>).transpose().map_err(Failure::input)?;
-    let records = records(args, units)?;
+    let records = records(args)?;
     let [fit, unfit] = select(&records, &target, band, factors).map_err(Failure::input)?;
     let count = usize::try_from(args.count).unwrap_or(usize::MAX);
     let rows: Vec<serde_json::Value> = fit
@@ -82,8 +81,10 @@ pub fn run(args: &Args) -> Outcome {
 const STILL: f64 = 1e-9;
 
 /// The accelerations of a folder, less their lines of best fit. What is no record is named and passed over.
-fn records(args: &Args, units: Option<Units>) -> Result<Vec<Channel>, Failure> {
-    let options = ReadOptions { units, ..ReadOptions::default() };
+fn records(args: &Args) -> Result<Vec<Channel>, Failure> {
+    let options = args.declared.options()?;
+    // Of text with as many columns alone; other files of the folder have their own.
+    let plain = ReadOptions { columns: None, ..options.clone() };
     let listed = std::fs::read_dir(&args.folder)
         .map_err(|e| Failure::input(format!("{}: {e}", args.folder.display())))?;
     let mut files: Vec<PathBuf> =
@@ -91,7 +92,7 @@ fn records(args: &Args, units: Option<Units>) -> Result<Vec<Channel>, Failure> {
     files.sort();
     let mut all = Vec::new();
     for file in files {
-        match read(&file, &options) {
+        match read(&file, &options).or_else(|fault| read(&file, &plain).map_err(|_| fault)) {
             Err(fault) => say(&format!("note: passed over: {fault}")),
             Ok(channels) => {
                 for mut c in channels {

@@ -9,7 +9,9 @@ mod itaca;
 mod knet;
 mod mseed;
 mod mseed_records;
+mod networks;
 mod pairs;
+mod sac;
 mod smc;
 mod usc;
 
@@ -28,6 +30,12 @@ pub fn good(format: &str) -> Vec<Vec<u8>> {
         "ESM (DYNA)" => text(vec![esm::small()]),
         "ITACA" => text(vec![itaca::small()]),
         "miniSEED" => mseed::small(),
+        "SAC" => vec![sac::small(false), sac::small(true)],
+        "CSMNC" => text(vec![networks::csmnc()]),
+        "BHRC" => text(vec![networks::bhrc()]),
+        "AFAD, CWB, JMA, ASA" => {
+            text(vec![networks::afad(), networks::cwb(), networks::jma(), networks::asa()])
+        }
         _ => Vec::new(),
     }
 }
