@@ -1,10 +1,11 @@
 //! Damaged files give errors or sound channels, never a panic.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use crate::formats;
 use tremolite_motion::{
-    FORMATS, Geographic, Intensity, Motion, Process, ReadOptions, Units, process, read_bytes,
+    FORMATS, Geographic, Intensity, Motion, Process, ReadOptions, Stations, Units, process, read_bytes,
     strongest_window,
 };
 
@@ -184,6 +185,30 @@ fn damaged_files_give_errors_or_sound_channels() {
     }
     // The damage must neither spare everything nor break everything, or the test proves little.
     assert!(read > 500 && refused > 2000, "{read} read, {refused} refused");
+}
+
+#[test]
+fn damaged_station_metadata_give_errors_or_sound_channels() {
+    let (record, metadata) = (formats::sac::small(false), formats::sac::STATIONS.as_bytes());
+    let mut random = Random(2019);
+    let (mut read, mut refused) = (0, 0);
+    for round in 0..4000 {
+        // Every other time only digits, which leave the XML sound.
+        let mut bytes = if round % 2 == 0 { damaged(metadata, &mut random) } else { metadata.to_vec() };
+        let digits: Vec<usize> = (0..bytes.len()).filter(|i| bytes[*i].is_ascii_digit()).collect();
+        for _ in 0..round % 2 * 2 {
+            bytes[digits[random.below(digits.len())]] = b"0123456789-.e"[random.below(13)];
+        }
+        let stations = Stations::from_bytes(Path::new("hostile.xml"), &bytes);
+        let stations = stations.ok().map(Arc::new);
+        match stations
+            .is_some_and(|s| use_all(&record, &ReadOptions { stations: Some(s), ..Default::default() }))
+        {
+            true => read += 1,
+            false => refused += 1,
+        }
+    }
+    assert!(read > 100 && refused > 1000, "{read} read, {refused} refused");
 }
 
 #[test]

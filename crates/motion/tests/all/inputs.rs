@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use tremolite_motion::{Channel, Error, Orientation, ReadOptions, TextColumn, Units, read, read_bytes};
+use tremolite_motion::{
+    Channel, Error, Orientation, ReadOptions, TextColumn, Units, encoding, read, read_bytes,
+};
 
 /// Peak of the test motion (cm/s²).
 const PEAK: f64 = 118.13957244064902;
@@ -267,8 +269,8 @@ fn an_independent_reader_finds_the_same_figures() {
 #[test]
 fn names_in_another_encoding_do_not_hinder_a_record() {
     let gbk = b"# \xce\xa7\xd1\xd2\n# units = \"cm/s2\"\n0 1\n0.1 2\n";
-    let read = |bytes: &[u8], encoding: &str| {
-        let encoding = tremolite_motion::encoding(encoding).ok();
+    let read = |bytes: &[u8], name: &str| {
+        let encoding = encoding(name).ok();
         read_bytes(Path::new("a"), bytes, &ReadOptions { encoding, ..ReadOptions::default() })
     };
     let assumed = read(gbk, "").unwrap().remove(0);
@@ -284,4 +286,109 @@ fn names_in_another_encoding_do_not_hinder_a_record() {
     let utf16: Vec<u8> =
         [0xfeff].into_iter().chain(units.encode_utf16()).flat_map(u16::to_le_bytes).collect();
     assert_eq!(read(&utf16, "").unwrap()[0].dt, 0.1);
+}
+
+/// StationXML of ObsPy beside the records of ObsPy.
+fn with_stations() -> ReadOptions {
+    ReadOptions::default().with_sensitivity("obspy.xml", |name| path(name.to_str().unwrap())).unwrap()
+}
+
+#[test]
+fn files_of_obspy_are_read_with_its_figures() {
+    let mut compared = 0;
+    for line in include_str!("../data/others.csv").lines().skip(1) {
+        let [name, points, interval, extreme, index, azimuth, counts] =
+            line.split(',').collect::<Vec<_>>()[..]
+        else {
+            panic!("{line}")
+        };
+        let options = if name.ends_with(".mseed") {
+            with_stations()
+        } else {
+            ReadOptions { units: Some(Units::MetrePerSecond2), ..ReadOptions::default() }
+        };
+        let channel = read(&path(name), &options).unwrap().remove(0);
+        let number = |word: &str| word.parse::<f64>().unwrap();
+        assert_eq!(
+            (channel.acceleration.len() as f64, channel.dt),
+            (number(points), number(interval)),
+            "{line}"
+        );
+        let expected = number(extreme) / number(counts);
+        assert!((peak(&channel) - expected).abs() <= 1e-14 * expected.abs(), "{line}: {}", peak(&channel));
+        assert_eq!(channel.acceleration[index.parse::<usize>().unwrap()], peak(&channel), "{line}");
+        assert_eq!(degrees(&channel), Some(number(azimuth)), "{line}");
+        // 2015-03-04 05:06:07.25, UTC.
+        assert!(channel.clock.is_some_and(|clock| (clock - 1_425_445_567.25).abs() < 1e-6), "{line}");
+        compared += 1;
+    }
+    assert_eq!(compared, 2);
+}
+
+#[test]
+fn station_metadata_beside_miniseed_are_taken_by_channel_and_epoch() {
+    let horizontal = read(&path("obspy_HN1.mseed"), &with_stations()).unwrap().remove(0);
+    for part in ["200000 counts/(m/s2) at 1 Hz", "epoch since 2014-01-01", "response was not removed"] {
+        assert!(horizontal.remarks.iter().any(|r| r.contains(part)), "{part}: {:?}", horizontal.remarks);
+    }
+    let vertical = read(&path("obspy_HNZ.mseed"), &with_stations()).unwrap().remove(0);
+    assert_eq!(vertical.orientation, Some(Orientation::Up));
+    assert!(peak(&vertical) > 0.0 && peak(&horizontal) < 0.0, "a dip of 90 degrees is downwards");
+    let refused = |name: &str| read(&path(name), &with_stations()).unwrap_err().to_string();
+    let across = refused("obspy_HN2.mseed");
+    assert!(across.contains("lies in 2 epochs") && across.contains("cut the record"), "{across}");
+    assert!(refused("obspy_HHZ.mseed").contains("velocity sensor"));
+    let sac = ReadOptions { units: None, ..with_stations() };
+    let sac = read(&path("obspy.sac"), &sac).unwrap().remove(0);
+    assert!((peak(&sac) + 19570.837890625 / 2e5).abs() < 1e-15 && !sac.raw);
+    let missing = ReadOptions::default().with_sensitivity("none.xml", |name| path(name.to_str().unwrap()));
+    assert!(missing.unwrap_err().contains("none.xml"));
+}
+
+#[test]
+fn files_that_are_no_records_are_named_with_a_way_on() {
+    let shipped = |name: &str| std::fs::read(path(name)).unwrap();
+    let mut hdf5_matlab = b"MATLAB 7.3 MAT-file, Platform: GLNXA64".to_vec();
+    hdf5_matlab.resize(512, b' ');
+    hdf5_matlab.extend(b"\x89HDF\r\n\x1a\n");
+    let mut workbook = b"PK\x03\x04".to_vec();
+    workbook.resize(30, 0);
+    workbook.extend(b"[Content_Types].xml");
+    let win32 =
+        [&[0; 4][..], &[0x20, 0x18, 0x01, 0x24, 0x10, 0x51, 0x37, 0, 0, 0, 0, 10, 0, 0, 0, 20]].concat();
+    let win = [&[0, 0, 0, 12, 0x17, 0x01, 0x26, 0, 0x03, 0, 1, 2][..]; 2].concat();
+    for (bytes, kind, way) in [
+        (shipped("numpy.npy"), "NumPy array", "numpy.savetxt"),
+        (shipped("scipy.mat"), "MATLAB file", "scipy.io.loadmat"),
+        (shipped("h5py.h5"), "HDF5 file", "h5py.File"),
+        (hdf5_matlab, "MATLAB file (.mat 7.3", "h5py.File"),
+        (workbook, "workbook of Excel", "CSV"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1".to_vec(), "workbook of Excel", "CSV"),
+        (
+            b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n".to_vec(),
+            "pointer of Git LFS",
+            "git lfs pull",
+        ),
+        (win32, "WIN32", "export"),
+        (win, "file of WIN", "obspy.read"),
+        (b"K\x01\x01\x14\0\0\x01\x07\xf8\0\0\x12".to_vec(), "Kinemetrics", "obspy.read"),
+        (b"000001V 010009402.3121970,001\0".to_vec(), "full SEED volume", "obspy.read"),
+        (b"<!DOCTYPE html>\n<html>1 2</html>".to_vec(), "web page", "download"),
+        (shipped("obspy.xml"), "StationXML", "--sensitivity"),
+        (b"<?xml version='1.0'?><a/>".to_vec(), "XML", "two columns of text"),
+        (b"%PDF-1.7".to_vec(), "PDF", "the record itself"),
+        (b"BZh9".to_vec(), "bzip2", "bunzip2"),
+        (b"\xfd7zXZ\0".to_vec(), "xz", "unxz"),
+        (b"\x28\xb5\x2f\xfd".to_vec(), "Zstandard", "unzstd"),
+        (b"\x04\x22\x4d\x18".to_vec(), "LZ4", "unlz4"),
+        (b"7z\xbc\xaf\x27\x1c".to_vec(), "7-Zip", "7z x"),
+        (b"Rar!\x1a\x07".to_vec(), "RAR", "unrar"),
+        (b"\x01\x02\0\x03 1 2 3".to_vec(), "binary file of no format", "two columns of text"),
+    ] {
+        let message = read_bytes(Path::new("x"), &bytes, &gal_every_5_ms()).unwrap_err().to_string();
+        assert!(
+            message.contains(kind) && message.contains(way) && !message.contains('#'),
+            "{kind}: {message}"
+        );
+    }
 }

@@ -11,7 +11,7 @@ mod mseed;
 mod mseed_records;
 mod networks;
 mod pairs;
-mod sac;
+pub mod sac;
 mod smc;
 mod usc;
 
