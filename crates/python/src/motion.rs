@@ -99,9 +99,10 @@ fn read_record<'py>(
         columns.map(|words| words.iter().map(|word| word.parse()).collect());
     let columns = columns.transpose().map_err(unusable)?;
     let encoding = encoding.map(tremolite_motion::encoding).transpose().map_err(unusable)?;
-    let mut options = ReadOptions { units: units.transpose()?, columns, dt, encoding, ..ReadOptions::default() };
+    let mut options =
+        ReadOptions { units: units.transpose()?, columns, dt, encoding, ..ReadOptions::default() };
     if let Some(written) = sensitivity {
-        options = options.with_sensitivity(written, PathBuf::from).map_err(unusable)?;
+        options = options.with_sensitivity(written, std::path::Path::to_path_buf).map_err(unusable)?;
     }
     let channels = py.detach(|| read(&path, &options)).map_err(told)?;
     if let Some(raw) = channels.iter().find(|channel| channel.raw) {

@@ -1,7 +1,7 @@
 //! Records by their files, and what the files do not say.
 
 use crate::exit::Failure;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tremolite_motion::{Channel, ReadOptions, TextColumn, Units, encoding, read};
 
 #[derive(clap::Args)]
@@ -40,12 +40,14 @@ impl Declared {
     /// The same, read.
     pub fn options(&self) -> Result<ReadOptions, Failure> {
         let units = self.units.as_deref().map(str::parse::<Units>).transpose().map_err(Failure::input)?;
-        let columns = self.columns.as_ref().map(|words| words.iter().map(|word| word.parse()).collect());
-        let columns: Option<Vec<TextColumn>> = columns.transpose().map_err(Failure::input::<String>)?;
+        let read = |words: &Vec<String>| {
+            words.iter().map(|word| word.parse()).collect::<Result<Vec<TextColumn>, String>>()
+        };
+        let columns = self.columns.as_ref().map(read).transpose().map_err(Failure::input)?;
         let encoding = self.encoding.as_deref().map(encoding).transpose().map_err(Failure::input)?;
         let options = ReadOptions { units, columns, dt: self.dt, encoding, ..ReadOptions::default() };
         match &self.sensitivity {
-            Some(written) => options.with_sensitivity(written, PathBuf::from).map_err(Failure::input),
+            Some(written) => options.with_sensitivity(written, Path::to_path_buf).map_err(Failure::input),
             None => Ok(options),
         }
     }
