@@ -138,13 +138,14 @@ impl Fields {
         Some(values)
     }
 
-    /// The columns of a checked table of them.
+    /// The columns of a checked table of them, or of single numbers.
     fn columns(&self) -> BTreeMap<String, Vec<f64>> {
         let column = |(name, node): (&&'static str, &Node)| match &node.item {
             Item::List(numbers) => {
                 let numbers = numbers.iter().filter_map(|n| Some(n.number()?.value));
                 Some(((*name).to_owned(), numbers.collect()))
             }
+            Item::Number(x) => Some(((*name).to_owned(), vec![*x])),
             _ => None,
         };
         self.nodes.iter().filter_map(column).collect()

@@ -66,6 +66,8 @@ pub enum Kind {
     Table(&'static Table),
     /// A table of columns, each a list with as many numbers.
     Columns(&'static [Parameter]),
+    /// A table with one number for each of these entries.
+    Set(&'static [Parameter]),
     /// An array of tables, `[[…]]`.
     Tables(&'static Table),
     /// A table, or one value that stands for a table with this value at each of these keys.

@@ -8,6 +8,9 @@ use crate::keys::{Key, Kind, Limit, Need, Table, When};
 pub(crate) static COLUMNS: Table =
     Table { path: "", doc: "Columns of numbers, as many in each.", keys: &[], choice: &[] };
 
+/// A table of single numbers; which they may be, its entry in the law's parameters says.
+pub(crate) static SET: Table = Table { path: "", doc: "One number each.", keys: &[], choice: &[] };
+
 /// A law's parameter as a key of the table that names the law in a case.
 pub(crate) fn of(parameter: &Parameter) -> Key {
     let kind = match parameter.kind {
@@ -15,6 +18,7 @@ pub(crate) fn of(parameter: &Parameter) -> Key {
         parameter::Kind::Number(dimension) => Kind::Number(dimension, Limit::Any),
         parameter::Kind::Word(words) => Kind::Word(words),
         parameter::Kind::Table(columns) => Kind::Columns(columns),
+        parameter::Kind::Set(entries) => Kind::Set(entries),
     };
     let need = match parameter.need {
         parameter::Need::Required => Need::Required,

@@ -73,7 +73,12 @@ fn value(kind: &Kind) -> ListedValue {
         Kind::Name => "name",
         Kind::List(..) | Kind::Numbers(_) => "list",
         Kind::Either(kinds) => return kinds.first().map_or(ListedValue::Other("value"), value),
-        Kind::Brief(..) | Kind::Map(..) | Kind::Table(_) | Kind::Columns(_) | Kind::Materials(_) => "table",
+        Kind::Brief(..)
+        | Kind::Map(..)
+        | Kind::Table(_)
+        | Kind::Columns(_)
+        | Kind::Set(_)
+        | Kind::Materials(_) => "table",
         Kind::Tables(_) | Kind::Interfaces(_) => "tables",
     })
 }

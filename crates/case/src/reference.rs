@@ -129,9 +129,13 @@ impl Page<'_> {
                 [&format!("`{}`", key.name), &value(key.name, &key.kind), &need, &suggest::capital(key.doc)];
             let row = row.map(|cell| cell.replace('|', "\\|"));
             self.line(&format!("| {} |", row.join(" | ")));
-            if let Kind::Columns(columns) = key.kind {
-                for column in columns {
-                    let inner = law_key::column(column);
+            let inner: Vec<Key> = match key.kind {
+                Kind::Columns(columns) => columns.iter().map(law_key::column).collect(),
+                Kind::Set(entries) => entries.iter().map(law_key::of).collect(),
+                _ => Vec::new(),
+            };
+            {
+                for inner in inner {
                     let (need, doc) = (listed(&inner).need, suggest::capital(inner.doc));
                     let value = value(inner.name, &inner.kind);
                     self.line(&format!("| `{}.{}` | {value} | {need} | {doc} |", key.name, inner.name));
@@ -180,6 +184,7 @@ fn value(key: &str, kind: &Kind) -> String {
             format!("a table such as `{{ \"{like}\" = … }}`, each value {}", value("", each))
         }
         Kind::Columns(_) => "a table of columns:".to_owned(),
+        Kind::Set(_) => "a table of numbers:".to_owned(),
         Kind::Either(kinds) => kinds.iter().map(|kind| value(key, kind)).collect::<Vec<_>>().join(" or "),
         Kind::Unit(dimension) => format!("a unit of {}", units::name_for(key, *dimension)),
         _ => suggest::describe(key, kind),

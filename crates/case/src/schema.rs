@@ -9,7 +9,7 @@ use tremolite_laws::parameter::{Dimension, LawInfo};
 use crate::case::CASE;
 use crate::interface::TIED;
 use crate::keys::{Key, Kind, Limit, Need, Table, When};
-use crate::law_key::{self, COLUMNS};
+use crate::law_key::{self, COLUMNS, SET};
 use crate::laws::Laws;
 use crate::{suggest, units};
 
@@ -128,6 +128,7 @@ fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
         Kind::Columns(columns) => {
             return object(COLUMNS.doc, columns.iter().map(law_key::column), &[], laws);
         }
+        Kind::Set(entries) => return object(SET.doc, entries.iter().map(law_key::of), &[], laws),
         Kind::Table(t) => return table(t, laws),
         Kind::Tables(t) => json!({ "type": "array", "items": table(t, laws) }),
         Kind::Brief(t, keys) => {

@@ -141,6 +141,7 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
         Kind::List(kind, ..) => format!("a list, each {}", describe(key, kind)),
         Kind::Numbers(dimension) => format!("a list, each {}", units::name_for(key, *dimension)),
         Kind::Columns(_) => "a table of columns".to_owned(),
+        Kind::Set(_) => "a table of numbers".to_owned(),
         Kind::Table(_) | Kind::Materials(_) => "a table".to_owned(),
         Kind::Map(_, kind) => format!("a table, each value {}", describe("", kind)),
         Kind::Tables(_) | Kind::Interfaces(_) => "a list of tables".to_owned(),
@@ -182,12 +183,17 @@ fn sample_value(name: &str, kind: &Kind) -> String {
             format!("[{}, …]", sample_value(name, &Kind::Number(*dimension, Limit::Any)))
         }
         Kind::Columns(columns) => {
-            let inside: Vec<String> = columns
-                .iter()
-                .map(law_key::column)
-                .filter(|k| matches!(k.need, Need::Required))
-                .map(|k| sample(k.name, &k.kind))
-                .collect();
+            let keys = || columns.iter().map(law_key::column);
+            let required = keys().filter(|k| matches!(k.need, Need::Required));
+            let mut inside: Vec<String> = required.map(|k| sample(k.name, &k.kind)).collect();
+            if inside.is_empty() {
+                inside.extend(keys().next().map(|k| sample(k.name, &k.kind)));
+            }
+            format!("{{ {}, … }}", inside.join(", "))
+        }
+        Kind::Set(entries) => {
+            let keys = entries.iter().map(law_key::of).filter(|k| matches!(k.need, Need::Required));
+            let inside: Vec<String> = keys.map(|k| sample(k.name, &k.kind)).collect();
             format!("{{ {}, … }}", inside.join(", "))
         }
         Kind::Table(table) => {

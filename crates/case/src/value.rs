@@ -10,7 +10,7 @@ use tremolite_laws::parameter::Dimension;
 use crate::check::{Checker, given};
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Limit};
-use crate::law_key::{self, COLUMNS};
+use crate::law_key::{self, COLUMNS, SET};
 use crate::{Spanned, key_path, suggest, units};
 
 /// What to do about a name that [`begins_a_formula`].
@@ -78,6 +78,10 @@ impl Checker<'_> {
                 let fields = self.table(&COLUMNS, Some(&keys), t, span.clone(), path);
                 self.as_long(&fields);
                 Item::Table(fields)
+            }
+            (Kind::Set(entries), DeValue::Table(t)) => {
+                let keys: Vec<Key> = entries.iter().map(law_key::of).collect();
+                Item::Table(self.table(&SET, Some(&keys), t, span.clone(), path))
             }
             (Kind::Table(table), DeValue::Table(t)) => {
                 Item::Table(self.table(table, Some(&[]), t, span.clone(), path))
@@ -336,7 +340,9 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Flag => matches!(value, DeValue::Boolean(_)),
         Kind::Text | Kind::File | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
         Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) | Kind::Interfaces(_) => value.is_array(),
-        Kind::Table(_) | Kind::Map(..) | Kind::Columns(_) | Kind::Materials(_) => value.is_table(),
+        Kind::Table(_) | Kind::Map(..) | Kind::Columns(_) | Kind::Set(_) | Kind::Materials(_) => {
+            value.is_table()
+        }
         Kind::Brief(table, keys) => value.is_table() || table.brief(keys).is_some_and(|k| fits(k, value)),
         Kind::Either(kinds) => kinds.iter().any(|k| fits(k, value)),
     }

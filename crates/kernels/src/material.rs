@@ -9,11 +9,13 @@ use tremolite_laws::parameter::Derived;
 use tremolite_laws::shapes::hex8::{
     BrickField, BrickGeometry, Hex8, LayeredGeometry, OnePointGeometry, Quadrature,
 };
-use tremolite_laws::{BadParameter, Isa, LawInfo, Material, Moduli, Values};
+use tremolite_laws::{BadParameter, Column, Isa, LawInfo, Material, Moduli, Values};
 
 /// A law with its parameters, ready to make patches of elements.
 pub trait AnyMaterial: Send + Sync {
     fn info(&self) -> LawInfo;
+    /// See [`Material::columns`].
+    fn columns(&self) -> &'static [Column];
     /// The values that it was made from.
     fn values(&self) -> &Values;
     /// The material's own elastic moduli: wave speeds and boundaries go by them.
@@ -78,6 +80,10 @@ struct Instance<M> {
 impl<M: Material + 'static> AnyMaterial for Instance<M> {
     fn info(&self) -> LawInfo {
         LawInfo::of::<M>()
+    }
+
+    fn columns(&self) -> &'static [Column] {
+        self.law.columns()
     }
 
     fn values(&self) -> &Values {

@@ -274,7 +274,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     fn state_sizes(&self) -> StateSizes {
         let octets = self.index.len();
         StateSizes {
-            history: octets * self.rule.points() * M::HISTORY.len(),
+            history: octets * self.rule.points() * self.law.columns().len(),
             overstress: if self.band.is_some() { octets * self.rule.memory() } else { 0 },
             numbers: self.viscous_numbers() + self.porous.as_ref().map_or(0, Porous::numbers),
         }
@@ -285,7 +285,7 @@ impl<M: Material, R: Rule> Part for Solid<M, R> {
     }
 
     fn columns(&self) -> &'static [Column] {
-        M::HISTORY
+        self.law.columns()
     }
 
     fn bytes(&self) -> usize {

@@ -20,15 +20,19 @@ pub struct Point<L> {
     pub looked_at: bool,
     /// Size tensor of the element \[m²\], G = ½ Σ (x − x̄)⊗(x − x̄) over its corners, in the axes of the strain
     /// (xx, yy, zz, xy, yz, zx): √(p·G·p) is its extent along p, for a brick the edge along an edge. Element kernels
-    /// fill it where [`Material::NEEDS_SIZE`] says so; else it is zero.
+    /// fill it where [`Facts::needs_size`] says so; else it is zero.
     pub size: Sym<L>,
+    /// Mean displacement gradient H of the element since it was placed, ∂u_i/∂x_j as `[i][j]`, in the axes of the strain. Filled as
+    /// the size is; zero on a path without an element.
+    pub gradient: [[L; 3]; 3],
 }
 
 impl<L: Lane> Point<L> {
     /// A point at a time step \[s\], of an element without a size, at which all memory is brought on and somebody looks.
     #[inline(always)]
     pub fn new(dt: L) -> Self {
-        Point { dt, brings: true, since: dt, looked_at: true, size: [L::splat(0.0); 6] }
+        let zero = L::splat(0.0);
+        Point { dt, brings: true, since: dt, looked_at: true, size: [zero; 6], gradient: [[zero; 3]; 3] }
     }
 
     /// The same instant for lanes.
@@ -46,6 +50,31 @@ impl<L: Lane> Point<L> {
         let y = yz.mul_add(p[2], yy.mul_add(p[1], xy * p[0]));
         let z = zz.mul_add(p[2], yz.mul_add(p[1], zx * p[0]));
         z.mul_add(p[2], y.mul_add(p[1], x * p[0])).larger(L::splat(0.0)).sqrt()
+    }
+
+    /// The element's extent \[m\] along the direction in which its displacement varies, √(tr(H·G·Hᵀ)/tr(H·Hᵀ)).
+    ///
+    /// A band with the unit normal n has H = s⊗n, whatever the direction s in which its sides move: the extent is then √(n·G·n). The
+    /// strain alone does not tell n from the direction of the slip. √(tr G/3) where nothing has moved.
+    #[inline(always)]
+    pub fn extent_across_band(&self) -> L {
+        let [xx, yy, zz, xy, yz, zx] = self.size;
+        let zero = L::splat(0.0);
+        let (mut product, mut square) = (zero, zero);
+        let mut i = 0;
+        while i < 3 {
+            let h = &self.gradient[i];
+            let x = zx.mul_add(h[2], xy.mul_add(h[1], xx * h[0]));
+            let y = yz.mul_add(h[2], yy.mul_add(h[1], xy * h[0]));
+            let z = zz.mul_add(h[2], yz.mul_add(h[1], zx * h[0]));
+            product = z.mul_add(h[2], y.mul_add(h[1], x.mul_add(h[0], product)));
+            square = h[2].mul_add(h[2], h[1].mul_add(h[1], h[0].mul_add(h[0], square)));
+            i += 1;
+        }
+        let moved = zero.less(square);
+        let mean = (xx + yy + zz) * L::splat(1.0 / 3.0);
+        let along = product / L::select(moved, square, L::splat(1.0));
+        L::select(moved, along, mean).larger(zero).sqrt()
     }
 }
 
@@ -211,7 +240,7 @@ pub trait Material: Send + Sync + Sized {
     const SOURCE: &'static str;
     const PARAMETERS: &'static [Parameter];
     const HISTORY: &'static [Column];
-    /// Whether the law looks at [`Point::size`].
+    /// Whether the law looks at [`Point::size`] or [`Point::gradient`]; an instance may do without ([`Material::facts`]).
     const NEEDS_SIZE: bool = false;
     /// Whether the material flows plastically: 2×2×2 points then take a hourglass strain that keeps the volume.
     const FLOWS: bool = false;
@@ -234,12 +263,19 @@ pub trait Material: Send + Sync + Sized {
     #[inline(always)]
     fn facts(&self) -> Facts {
         Facts {
-            columns: Self::HISTORY.len(),
+            columns: self.columns().len(),
             needs_size: Self::NEEDS_SIZE,
             damages: Self::DAMAGES,
             dissipation: Self::DISSIPATION,
             creation: Self::CREATION,
         }
+    }
+
+    /// The columns that an instance keeps: the first ones of [`Material::HISTORY`], all but for those at its end that its parameters
+    /// leave unused.
+    #[inline(always)]
+    fn columns(&self) -> &'static [Column] {
+        Self::HISTORY
     }
 
     /// A checked instance.
@@ -260,10 +296,15 @@ pub trait Material: Send + Sync + Sized {
         1
     }
 
-    /// The extent \[m\] that an element must stay below for the law to dissipate its fracture energy; infinite for
-    /// a law that does not go by the element's size.
+    /// The extent \[m\] that an element must stay below: a larger one stores more energy than a crack or a band of shear across it
+    /// dissipates as it softens. Infinite for a law that does not go by the element's size.
     fn size_limit(&self) -> f64 {
         f64::INFINITY
+    }
+
+    /// Whether a path of strains without an element must say the element's extent.
+    fn asks_size(&self) -> bool {
+        self.size_limit().is_finite()
     }
 
     /// Energy per area \[N/m\] that a crack dissipates across an element of this extent \[m\] at static rates; none
@@ -397,7 +438,7 @@ pub trait Material: Send + Sync + Sized {
 /// What kernels go by of a law, by its constants of the same names.
 #[derive(Clone, Copy, Debug)]
 pub struct Facts {
-    /// Entries of [`Material::HISTORY`].
+    /// Entries of [`Material::columns`].
     pub columns: usize,
     pub needs_size: bool,
     pub damages: bool,
@@ -417,14 +458,17 @@ pub struct InPlace<L> {
 }
 
 /// History of one point from its octets, one a column; lanes beyond them stay zero.
+///
+/// The number of lanes is known to the compiler, that of the octets need not be: so counted, the loop is unrolled.
 #[inline(always)]
 pub(crate) fn load<L: Lane, H: History<L>>(octets: &[Octet], at: usize) -> H {
     let mut history = H::zero();
     let lanes = history.as_mut();
-    let columns = lanes.len().min(octets.len());
     let mut i = 0;
-    while i < columns {
-        lanes[i] = L::load(&octets[i], at);
+    while i < lanes.len() {
+        if i < octets.len() {
+            lanes[i] = L::load(&octets[i], at);
+        }
         i += 1;
     }
     history
@@ -434,10 +478,11 @@ pub(crate) fn load<L: Lane, H: History<L>>(octets: &[Octet], at: usize) -> H {
 #[inline(always)]
 pub(crate) fn store<L: Lane, H: History<L>>(history: &H, octets: &mut [Octet], at: usize) {
     let lanes = history.as_ref();
-    let columns = lanes.len().min(octets.len());
     let mut i = 0;
-    while i < columns {
-        lanes[i].store(&mut octets[i], at);
+    while i < lanes.len() {
+        if i < octets.len() {
+            lanes[i].store(&mut octets[i], at);
+        }
         i += 1;
     }
 }

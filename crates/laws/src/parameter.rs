@@ -49,6 +49,8 @@ pub enum Kind {
     Word(&'static [&'static str]),
     /// A table: columns of numbers, as many in each, by the columns' own entries.
     Table(&'static [Parameter]),
+    /// A table with one number for each of these entries.
+    Set(&'static [Parameter]),
 }
 
 /// Whether a parameter may be left out.
@@ -81,7 +83,7 @@ pub struct Parameter {
 pub enum Value {
     Number(f64),
     Word(String),
-    /// The columns that are given.
+    /// The columns that are given; of a set, each with one number.
     Table(BTreeMap<String, Vec<f64>>),
 }
 

@@ -34,7 +34,7 @@ pub struct Path {
     /// xx, yy, zz, xy, yz, zx: strain (engineering shear), or stress \[Pa\] where `control` says so.
     pub values: Vec<[f64; 6]>,
     pub control: [Control; 6],
-    /// Extent h of the element in every direction \[m\]. Laws with a fracture energy ask for it.
+    /// Extent h of the element in every direction \[m\]. Laws that soften over displacement or by a fracture energy ask for it.
     pub size: Option<f64>,
 }
 
@@ -109,7 +109,7 @@ pub enum PathError {
     Time {
         row: usize,
     },
-    /// The law goes by a fracture energy and no size is given.
+    /// The law softens over displacement or by a fracture energy, and no size is given.
     SizeMissing,
     /// The size is not between 0 and the law's limit \[m\].
     Size {
@@ -147,13 +147,13 @@ impl std::fmt::Display for PathError {
             PathError::SizeMissing => {
                 write!(
                     f,
-                    "the law goes by a fracture energy and needs the element's extent; give `size` in m"
+                    "the law softens over displacement and needs the element's extent; give `size` in m"
                 )
             }
             PathError::Size { size, limit } => write!(
                 f,
                 "a size of {size} m is not possible: it must be positive and below {limit:.3} m, where an element \
-                 stores as much as a crack dissipates"
+                 stores as much energy as it dissipates"
             ),
             PathError::NotConverged { row, miss } => write!(
                 f,
@@ -172,10 +172,10 @@ impl Path {
         Path { time, values, control: [Control::Strain; 6], size: None }
     }
 
-    fn check(&self, limit: f64) -> Result<[f64; 6], PathError> {
+    fn check(&self, asked: bool, limit: f64) -> Result<[f64; 6], PathError> {
         check_rows(&self.time, &self.values)?;
         match self.size {
-            None if limit.is_finite() => Err(PathError::SizeMissing),
+            None if asked => Err(PathError::SizeMissing),
             None => Ok([0.0; 6]),
             Some(h) if h > 0.0 && h < limit && h.is_finite() => Ok([h * h, h * h, h * h, 0.0, 0.0, 0.0]),
             Some(size) => Err(PathError::Size { size, limit }),
@@ -204,13 +204,13 @@ pub(crate) fn check_rows<const N: usize>(time: &[f64], values: &[[f64; N]]) -> R
 /// # Errors
 /// See [`PathError`].
 pub fn drive<M: Material>(law: &M, path: &Path) -> Result<Response, PathError> {
-    let size = path.check(law.size_limit())?;
+    let size = path.check(law.asks_size(), law.size_limit())?;
     let rows = path.time.len();
     let mut response = Response {
         strain: Vec::with_capacity(rows),
         stress: Vec::with_capacity(rows),
-        columns: M::HISTORY,
-        history: vec![Vec::with_capacity(rows); M::HISTORY.len()],
+        columns: law.columns(),
+        history: vec![Vec::with_capacity(rows); law.columns().len()],
         between: Vec::new(),
     };
     let mut walk = Walk::new(law, size, path.control);

@@ -134,9 +134,9 @@ fn remembered<'py>(
 
 fn told(error: &PathError) -> PyErr {
     match error {
-        PathError::SizeMissing => {
-            unusable("the law goes by a fracture energy and needs the element's extent; give size=\"0.5 m\"")
-        }
+        PathError::SizeMissing => unusable(
+            "the law softens over displacement or by a fracture energy and needs the element's extent; give size=\"0.5 m\"",
+        ),
         error => unusable(error),
     }
 }

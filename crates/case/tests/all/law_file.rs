@@ -125,8 +125,8 @@ fn each_mistake_in_a_table_of_columns_is_reported_at_its_line() {
         (change("\"46 deg\"", "\"96 deg\""), 12, "at most 89.9 deg", "cannot"),
         (change("[\"2.18 MPa\"", "[\"2.2 MPa\""), 11, "does not begin with the peak strength", "`cohesion`"),
         (change("0.005, 2e-2", "0.005, 0.005"), 10, "must grow from 0", "peak"),
-        (change("plastic_shear_strain = [0, 0.005, 2e-2]\n", ""), 9, "`plastic_shear_strain` is missing", "add"),
-        (format!("{ROCK}softening = 0.1"), 8, "should be a table of columns", "plastic_shear_strain = ["),
+        (change("plastic_shear_strain = [0, 0.005, 2e-2]\n", ""), 9, "has no column plastic_shear_displacement", "give [0"),
+        (format!("{ROCK}softening = 0.1"), 8, "should be a table of columns", "plastic_shear_displacement = ["),
     ];
     for (source, line, says, remedy) in bad {
         let report = parse(&source).expect_err(&source);

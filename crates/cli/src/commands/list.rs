@@ -69,7 +69,7 @@ fn parameter(p: &Parameter, indent: &str) {
     let (unit, doc) = match p.kind {
         Kind::Number(d) => (unit(d), p.doc.to_owned()),
         Kind::Word(words) => ("word", format!("{}: {}", p.doc, words.join(" | "))),
-        Kind::Table(_) => ("table", p.doc.to_owned()),
+        Kind::Table(_) | Kind::Set(_) => ("table", p.doc.to_owned()),
     };
     let need = match (p.need, p.kind) {
         (Need::Required, _) => "required".to_owned(),
@@ -80,7 +80,7 @@ fn parameter(p: &Parameter, indent: &str) {
         (Need::Chosen(what), _) => format!("left out in a case: {what}"),
     };
     entry(&format!("{indent}{}", p.name), unit, &format!("{doc} [{need}]"));
-    if let Kind::Table(columns) = p.kind {
+    if let Kind::Table(columns) | Kind::Set(columns) = p.kind {
         columns.iter().for_each(|column| parameter(column, "  "));
     }
 }

@@ -36,6 +36,7 @@ mod set;
 mod shipped_cases;
 mod shotcrete;
 mod sides;
+mod softening;
 mod specimens;
 mod stage_case;
 mod stage_refusals;

@@ -104,6 +104,10 @@ impl<M: Material> Material for Remembered<M> {
     const CREATION: Option<usize> = None;
     type History<L: Lane> = M::History<L>;
 
+    fn columns(&self) -> &'static [Column] {
+        self.0.columns()
+    }
+
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         M::new(values).map(|law| Remembered(Arc::new(law)))
     }

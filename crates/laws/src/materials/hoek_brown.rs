@@ -1,4 +1,4 @@
-//! Generalised Hoek–Brown with a tension cut-off: elastic, perfectly plastic, not associated.
+//! Generalised Hoek–Brown with a tension cut-off: elastic, perfectly plastic or softening, not associated.
 //!
 //! **The law.** With principal stresses σ₁ ≥ σ₂ ≥ σ₃ (tension positive), shear yields where
 //! σ₁ − σ₃ = σ_ci u^a, u = s − m_b σ₁/σ_ci, with m_b = m_i exp\[(GSI − 100)/(28 − 14D)\],
@@ -15,42 +15,89 @@
 //! number of Newton's steps reaches round-off for every C. At the apex, where the envelope's slope is vertical, the
 //! equation stays smooth; beyond it the cut-off answers.
 //!
+//! **Softening.** `residual` gives GSI and D of the residual state and the slip across the element at which it is reached; m_b, s and
+//! a change with the slip along straight lines (an assumption), and f_t is cut at the apex that they leave. Slip, extent and limit
+//! of size are those of Mohr–Coulomb's softening (`plastic/slip.rs`). A step uses the strength that the steps before left.
+//!
 //! **Measures.** History as with Mohr–Coulomb; `state` sums 1 (shear now), 2 (tension now), 4 (shear in an earlier
 //! step), 8 (tension earlier).
 //!
-//! **Not modelled.** Softening (fall of GSI), the intermediate principal stress in strength, the change from brittle
+//! **Not modelled.** The intermediate principal stress in strength, the change from brittle
 //! to ductile at high confinement, directions of jointing, pore pressure, rate.
 
 mod envelope;
 mod parameters;
+mod residual;
 
 use super::elastic::soft_for_its_strength;
 use super::plastic::flow::{Flow, Way};
+use super::plastic::slip::{self, LONG_COLUMNS, LongMemory, Measure};
 use super::plastic::tension::{CutOff, Returned};
-use super::plastic::{COLUMNS, Elasticity, blur, mean_and_radius, unyielding};
+use super::plastic::{Elasticity, blur, mean_and_radius, unyielding};
 use crate::lane::Lane;
-use crate::material::{Material, Moduli, Point, Sym, complementary_energy};
+use crate::material::{Facts, Material, Moduli, Point, Sym, complementary_energy};
 use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
 use crate::sym3::Spectrum;
 use envelope::Envelope;
+use residual::Residual;
 
 /// The law for one rock mass; see the [module](self).
 #[derive(Clone, Copy, Debug)]
 pub struct HoekBrown {
     elasticity: Elasticity,
-    envelope: Envelope,
+    envelope: Envelope<f64>,
     /// M of the dilation angle given.
     flow: f64,
     /// f_t, cut at the apex \[Pa\], and σ₃ of the envelope there.
     cut_off: [f64; 2],
     /// f_t as given.
     tensile: f64,
+    residual: Option<Residual>,
+    /// \[m\]
+    size_limit: f64,
+}
+
+/// The surface as lanes see it.
+#[derive(Clone, Copy)]
+struct Surface<L> {
+    envelope: Envelope<L>,
+    cut_off: CutOff<L>,
 }
 
 impl HoekBrown {
-    /// m_b, s and a of the rock mass.
+    /// m_b, s and a of the rock mass at the peak.
     pub fn constants(&self) -> [f64; 3] {
         [self.envelope.mb, self.envelope.s, self.envelope.a]
+    }
+
+    /// m_b, s, a and f_t \[Pa\] in use after a plastic shear strain, or a slip \[m\] where the residual state is reached by slip.
+    pub fn strength(&self, shear: f64) -> [f64; 4] {
+        let measure = self.residual.map_or(Measure::Strain, |residual| residual.measure);
+        let Surface { envelope, cut_off } = self.surface(&measure.memory(shear, 0.0));
+        [envelope.mb, envelope.s, envelope.a, cut_off.strength]
+    }
+
+    /// Whether strength goes by a slip, which the history then keeps.
+    #[inline(always)]
+    fn slips(&self) -> bool {
+        matches!(&self.residual, Some(residual) if residual.measure == Measure::Displacement)
+    }
+
+    /// The surface as lanes see it after what they went through.
+    #[inline(always)]
+    fn surface<L: Lane>(&self, old: &LongMemory<L>) -> Surface<L> {
+        let envelope = self.envelope.splat();
+        let [strength, low] = self.cut_off;
+        let peak = Surface { envelope, cut_off: CutOff { strength: L::splat(strength), low: L::splat(low) } };
+        let Some(residual) = &self.residual else { return peak };
+        let done = residual.done(old);
+        let changed = L::splat(0.0).less(done);
+        if !L::any(changed) {
+            return peak;
+        }
+        let envelope = envelope.changed(changed, residual.constants(&self.envelope, done));
+        let [strength, low] = envelope.cut_off(changed, self.tensile, self.cut_off);
+        Surface { envelope, cut_off: CutOff { strength, low } }
     }
 
     /// σ_ci \[Pa\].
@@ -58,21 +105,22 @@ impl HoekBrown {
         self.envelope.sci
     }
 
-    /// f_t \[Pa\] in use, not beyond the apex s σ_ci/m_b.
+    /// f_t \[Pa\] in use at the peak, not beyond the apex s σ_ci/m_b.
     pub fn tensile_strength(&self) -> f64 {
         self.cut_off[0]
     }
 
     /// Return to the envelope alone, then the cut-off, for flow with slope M. `excess` is that of the trial.
     #[inline(always)]
-    fn returned<L: Lane>(&self, s: &[L; 3], excess: L, flow: &Flow<L>) -> Returned<L> {
+    fn returned<L: Lane>(&self, surface: &Surface<L>, s: &[L; 3], excess: L, flow: &Flow<L>) -> Returned<L> {
         let zero = L::splat(0.0);
+        let Surface { envelope, cut_off } = surface;
         let face = flow.on_face(s);
         let (reach, is_12) = flow.first_edge(s);
         let there = [face.a1.neg_mul_add(reach, face.first), face.a3.neg_mul_add(reach, face.third)];
-        let on_edge = zero.less(self.envelope.excess(there[0], there[1]));
+        let on_edge = zero.less(envelope.excess(there[0], there[1]));
         let way: Way<L> = flow.on_edge(s, on_edge, is_12);
-        let [first, third, none] = self.envelope.meet(&way);
+        let [first, third, none] = envelope.meet(&way);
         let sheared = way.end(first, third, (way.first - first) / way.a1);
         let failing = zero.less(excess);
         let sheared = [
@@ -80,8 +128,6 @@ impl HoekBrown {
             L::select(failing, sheared[1], s[1]),
             L::select(failing, sheared[2], s[2]),
         ];
-        let [strength, low] = self.cut_off;
-        let cut_off = CutOff { strength: L::splat(strength), low: L::splat(low) };
         let no_answer = L::both(failing, zero.less(none));
         let beyond = L::either(no_answer, cut_off.strength.less(sheared[0]));
         cut_off.complete(&self.elasticity, s, sheared, beyond)
@@ -93,10 +139,29 @@ impl Material for HoekBrown {
     const SUMMARY: &'static str = "rock mass, generalised Hoek–Brown (2002) with tension cut-off";
     const SOURCE: &'static str = "hoek2002, generalised criterion with m_b, s, a and the tensile strength";
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
-    const HISTORY: &'static [Column] = &COLUMNS;
+    const HISTORY: &'static [Column] = &LONG_COLUMNS;
+    const NEEDS_SIZE: bool = true;
     const FLOWS: bool = true;
     const PRESSURE_DEPENDENT: bool = true;
-    type History<L: Lane> = [L; 10];
+    type History<L: Lane> = LongMemory<L>;
+
+    #[inline(always)]
+    fn facts(&self) -> Facts {
+        slip::facts::<Self>(self.slips())
+    }
+
+    #[inline(always)]
+    fn columns(&self) -> &'static [Column] {
+        slip::columns(self.slips())
+    }
+
+    fn asks_size(&self) -> bool {
+        self.slips()
+    }
+
+    fn size_limit(&self) -> f64 {
+        self.size_limit
+    }
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         parameters::read(values)
@@ -108,12 +173,12 @@ impl Material for HoekBrown {
 
     fn scaled(&self, factor: f64) -> Self {
         let elasticity = Elasticity::new(self.moduli().scaled(factor));
-        HoekBrown { elasticity, ..*self }
+        HoekBrown { elasticity, size_limit: factor * self.size_limit, ..*self }
     }
 
     fn derived(&self, _: [f64; 2]) -> Vec<Derived> {
         let [mb, s, a] = self.constants();
-        vec![
+        let mut all = vec![
             Derived::new("m_b", mb, "1", "m_i exp[(GSI − 100)/(28 − 14D)]"),
             Derived::new("s", s, "1", "exp[(GSI − 100)/(9 − 3D)]"),
             Derived::new("a", a, "1", "½ + (e^(−GSI/15) − e^(−20/3))/6"),
@@ -130,7 +195,17 @@ impl Material for HoekBrown {
                 "s σ_ci/m_b, all-round tension that the envelope allows",
             ),
             Derived::new("tensile_strength", self.cut_off[0], "Pa", "f_t in use, not beyond the apex"),
-        ]
+        ];
+        if let Some(residual) = &self.residual {
+            let [mb, s, a] = residual.end;
+            all.extend([
+                Derived::new("residual_m_b", mb, "1", "m_b of the residual state"),
+                Derived::new("residual_s", s, "1", "s of the residual state"),
+                Derived::new("residual_a", a, "1", "a of the residual state"),
+            ]);
+        }
+        all.extend(slip::derived(self.size_limit));
+        all
     }
 
     fn warnings(&self) -> Vec<String> {
@@ -141,62 +216,80 @@ impl Material for HoekBrown {
                 self.tensile, self.cut_off[0]
             ));
         }
+        let by_strain = |residual: &&Residual| residual.measure == Measure::Strain;
+        warnings.extend(self.residual.as_ref().filter(by_strain).map(|_| slip::without_length("residual")));
         warnings
     }
 
     #[inline(always)]
-    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 10]) -> L {
+    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &LongMemory<L>) -> L {
         complementary_energy(self.moduli(), stress)
     }
 
     #[inline(always)]
-    fn hourglass_share<L: Lane>(&self, history: &[L; 10]) -> L {
-        super::plastic::hourglass_share(self.envelope.uniaxial() / 3f64.sqrt(), self.elasticity.mu, history)
+    fn hourglass_share<L: Lane>(&self, history: &LongMemory<L>) -> L {
+        let strength = self.envelope.uniaxial() / 3f64.sqrt();
+        super::plastic::hourglass_share(strength, self.elasticity.mu, &slip::short(history))
     }
 
     #[inline(always)]
-    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 10]) -> (Sym<L>, [L; 10]) {
+    fn update<L: Lane>(
+        &self,
+        point: &Point<L>,
+        strain: Sym<L>,
+        before: LongMemory<L>,
+    ) -> (Sym<L>, LongMemory<L>) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let old = slip::short(&before);
         let trial = self.elasticity.trial(&strain, &old);
-        let ft = L::splat(self.cut_off[0]);
+        let surface = self.surface(&before);
+        let Surface { envelope, cut_off } = &surface;
+        let ft = cut_off.strength;
         let round_off = L::splat(self.elasticity.round_off);
 
         // σ₁ ≤ p + 2r and σ₁ − σ₃ ≤ 2√3 r, and a lower bound of the envelope that needs no power.
         let (mean, radius) = mean_and_radius(&trial);
         let largest = mean + (radius + radius);
         let spread = radius * L::splat(2.0 * 3f64.sqrt());
-        if !L::any(L::not(L::both(largest.less(zero), spread.less(self.envelope.floor(largest))))) {
-            return unyielding(trial, old);
+        if !L::any(L::not(L::both(largest.less(zero), spread.less(envelope.floor(largest))))) {
+            let (stress, new) = unyielding(trial, old);
+            return (stress, slip::kept(&new, &before));
         }
         let spectrum = Spectrum::of(&trial);
         let [first, _, third] = spectrum.values();
         let margin = blur(&spectrum);
         // The envelope grows with pressure, so that σ₁ a little higher is on the safe side.
-        let near = round_off.less(self.envelope.excess(first + margin, third - margin));
+        let near = round_off.less(envelope.excess(first + margin, third - margin));
         if !L::any(L::either(near, round_off.less(first - ft + margin))) {
-            return unyielding(trial, old);
+            let (stress, new) = unyielding(trial, old);
+            return (stress, slip::kept(&new, &before));
         }
 
         let eigen = spectrum.eigen();
         let s = &eigen.values;
-        let excess = self.envelope.excess(s[0], s[2]);
+        let excess = envelope.excess(s[0], s[2]);
         let yielding = L::either(round_off.less(excess), round_off.less(s[0] - ft));
-        if self.flow > 1.0 {
-            let ratio = L::splat(self.flow).smaller(self.envelope.slope(s[0], s[2], excess));
+        let (stress, new) = if self.flow > 1.0 {
+            let ratio = L::splat(self.flow).smaller(envelope.slope(s[0], s[2], excess));
             let flow = Flow::new(&self.elasticity, ratio);
-            let mut returned = self.returned(s, excess, &flow);
+            let mut returned = self.returned(&surface, s, excess, &flow);
             let end = &returned.stress;
-            let limit = self.envelope.slope(end[0], end[2], zero);
+            let limit = envelope.slope(end[0], end[2], zero);
             let steep = L::both(L::both(yielding, L::not(returned.tension)), limit.less(ratio));
             let flow = Flow::new(&self.elasticity, L::select(steep, limit, ratio));
             if L::any(steep) {
-                returned = self.returned(s, excess, &flow);
+                returned = self.returned(&surface, s, excess, &flow);
             }
             flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old)
         } else {
             let flow = Flow::new(&self.elasticity, one);
-            let returned = self.returned(s, excess, &flow);
+            let returned = self.returned(&surface, s, excess, &flow);
             flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old)
+        };
+        if self.slips() {
+            (stress, slip::advanced(point, &eigen.vectors[0], &new, &before))
+        } else {
+            (stress, slip::kept(&new, &before))
         }
     }
 }

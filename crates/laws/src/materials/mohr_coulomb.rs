@@ -7,12 +7,18 @@
 //! plane and ψ is constant in a step, so one linear solution holds, and which one follows from the trial stress (see
 //! `plastic/flow.rs` and `plastic/tension.rs`). No iteration.
 //!
-//! **Softening.** The table `softening` gives c, φ, ψ and f_t against the accumulated plastic shear strain, with
+//! **Softening.** The table `softening` gives c, φ, ψ and f_t against the accumulated slip across the element, with
 //! straight lines between its rows, φ and ψ as angles; the last row stays. Strength may also rise, as friction does
-//! while cohesion is lost in brittle rock. With a column of plastic tension strains f_t goes by whichever strain has
-//! come further down the table. ψ is never above φ. A step uses the strength that the steps before left: the error is
-//! of first order in the step of plastic strain, which explicit steps keep tiny. What softening dissipates per area
-//! grows with the element: results depend on the mesh, as with every local softening law.
+//! while cohesion is lost in brittle rock. With a column of openings f_t goes by whichever displacement has come further
+//! down the table. ψ is never above φ. A step uses the strength that the steps before left: the error is of first order in
+//! the step of slip, which explicit steps keep tiny.
+//!
+//! The slip is 2hΓ with the element's extent h across the band (`plastic/slip.rs`): a band dissipates the same energy per
+//! area in elements of any size. Larger elements than [`Material::size_limit`] would give out energy as they soften: with
+//! sides that are free, the axial stress falls at 2h√((M² + M + 1)/3) times its slope over the slip, and by that no faster
+//! than E. The slope is that at a confinement of 0 or of f_c at the peak, whichever falls faster; the second is an assumption
+//! (loss of friction counts by the pressure). A table over the plastic shear strain itself has no length: what it
+//! dissipates per area grows with the element, and results depend on the mesh.
 //!
 //! **Measures.** `plastic_shear_strain` accumulates √J₂ of the plastic strain of each face that flows; under pure
 //! shear with ψ = 0 that is half the engineering shear strain. `plastic_tension_strain` accumulates the lengthening
@@ -30,10 +36,11 @@ mod softening;
 
 use super::elastic::soft_for_its_strength;
 use super::plastic::flow::Flow;
+use super::plastic::slip::{self, LONG_COLUMNS, LongMemory, Measure};
 use super::plastic::tension::CutOff;
-use super::plastic::{COLUMNS, Elasticity, Memory, SHEAR, TENSION, blur, mean_and_radius, unyielding};
+use super::plastic::{Elasticity, blur, mean_and_radius, unyielding};
 use crate::lane::Lane;
-use crate::material::{Material, Moduli, Point, Sym, complementary_energy};
+use crate::material::{Facts, Material, Moduli, Point, Sym, complementary_energy};
 use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
 use crate::sym3::Spectrum;
 use softening::Softening;
@@ -46,6 +53,8 @@ pub struct MohrCoulomb {
     tensile: f64,
     peak: Strength<f64>,
     softening: Option<Softening>,
+    /// \[m\]
+    size_limit: f64,
 }
 
 /// The yield surface in numbers.
@@ -87,17 +96,27 @@ impl<L: Lane> Strength<L> {
 }
 
 impl MohrCoulomb {
-    /// c \[Pa\], φ \[rad\] and f_t \[Pa\] in use after plastic strains of shear and tension; f_t not beyond c/tan φ.
+    /// c \[Pa\], φ \[rad\] and f_t \[Pa\] in use after plastic strains of shear and tension, or a slip and an opening \[m\] where the
+    /// table is over displacement; f_t not beyond c/tan φ.
     pub fn strength(&self, shear: f64, tension: f64) -> [f64; 3] {
-        let mut memory = [0.0; 10];
-        (memory[SHEAR], memory[TENSION]) = (shear, tension);
+        let memory = self.measure().memory(shear, tension);
         let Strength { slope, fc, ft, .. } = self.surface(&memory);
         [0.5 * fc / slope.sqrt(), ((slope - 1.0) / (slope + 1.0)).asin(), ft]
     }
 
+    fn measure(&self) -> Measure {
+        self.softening.as_ref().map_or(Measure::Strain, |softening| softening.measure)
+    }
+
+    /// Whether strength goes by displacements, which the history then keeps.
+    #[inline(always)]
+    fn slips(&self) -> bool {
+        matches!(&self.softening, Some(softening) if softening.measure == Measure::Displacement)
+    }
+
     /// The surface as lanes see it after what they went through.
     #[inline(always)]
-    fn surface<L: Lane>(&self, old: &Memory<L>) -> Strength<L> {
+    fn surface<L: Lane>(&self, old: &LongMemory<L>) -> Strength<L> {
         match &self.softening {
             None => Strength {
                 slope: L::splat(self.peak.slope),
@@ -107,7 +126,8 @@ impl MohrCoulomb {
                 flow: L::splat(self.peak.flow),
             },
             Some(softening) => {
-                let left = softening.left(old[SHEAR], old[TENSION]);
+                let [shear, tension] = softening.measure.of(old);
+                let left = softening.left(shear, tension);
                 Strength::new(left.slope, left.cohesion, left.tensile, left.flow)
             }
         }
@@ -119,10 +139,21 @@ impl Material for MohrCoulomb {
     const SUMMARY: &'static str = "rock, Mohr–Coulomb with tension cut-off, dilation and softening";
     const SOURCE: &'static str = "clausen2007, returns in principal stresses; tension cut-off added";
     const PARAMETERS: &'static [Parameter] = parameters::PARAMETERS;
-    const HISTORY: &'static [Column] = &COLUMNS;
+    const HISTORY: &'static [Column] = &LONG_COLUMNS;
+    const NEEDS_SIZE: bool = true;
     const FLOWS: bool = true;
     const PRESSURE_DEPENDENT: bool = true;
-    type History<L: Lane> = [L; 10];
+    type History<L: Lane> = LongMemory<L>;
+
+    #[inline(always)]
+    fn facts(&self) -> Facts {
+        slip::facts::<Self>(self.slips())
+    }
+
+    #[inline(always)]
+    fn columns(&self) -> &'static [Column] {
+        slip::columns(self.slips())
+    }
 
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         parameters::read(values)
@@ -134,7 +165,15 @@ impl Material for MohrCoulomb {
 
     fn scaled(&self, factor: f64) -> Self {
         let elasticity = Elasticity::new(self.moduli().scaled(factor));
-        MohrCoulomb { elasticity, ..self.clone() }
+        MohrCoulomb { elasticity, size_limit: factor * self.size_limit, ..self.clone() }
+    }
+
+    fn asks_size(&self) -> bool {
+        self.slips()
+    }
+
+    fn size_limit(&self) -> f64 {
+        self.size_limit
     }
 
     fn derived(&self, _: [f64; 2]) -> Vec<Derived> {
@@ -153,6 +192,7 @@ impl Material for MohrCoulomb {
             all.push(Derived::new("apex", peak.fc / (peak.slope - 1.0), "Pa", doc));
         }
         all.push(Derived::new("tensile_strength", peak.ft, "Pa", "f_t in use, not beyond the apex"));
+        all.extend(slip::derived(self.size_limit));
         all
     }
 
@@ -164,24 +204,34 @@ impl Material for MohrCoulomb {
                 self.tensile, self.peak.ft
             ));
         }
+        let softens = |softening: &Softening| softening.measure == Measure::Strain && softening.falls();
+        warnings.extend(
+            self.softening.as_ref().filter(|s| softens(s)).map(|_| slip::without_length("softening")),
+        );
         warnings
     }
 
     #[inline(always)]
-    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &[L; 10]) -> L {
+    fn stored_energy<L: Lane>(&self, _: &Sym<L>, stress: &Sym<L>, _: &LongMemory<L>) -> L {
         complementary_energy(self.moduli(), stress)
     }
 
     #[inline(always)]
-    fn hourglass_share<L: Lane>(&self, history: &[L; 10]) -> L {
-        super::plastic::hourglass_share(self.peak.fc / 3f64.sqrt(), self.elasticity.mu, history)
+    fn hourglass_share<L: Lane>(&self, history: &LongMemory<L>) -> L {
+        super::plastic::hourglass_share(self.peak.fc / 3f64.sqrt(), self.elasticity.mu, &slip::short(history))
     }
 
     #[inline(always)]
-    fn update<L: Lane>(&self, _: &Point<L>, strain: Sym<L>, old: [L; 10]) -> (Sym<L>, [L; 10]) {
+    fn update<L: Lane>(
+        &self,
+        point: &Point<L>,
+        strain: Sym<L>,
+        before: LongMemory<L>,
+    ) -> (Sym<L>, LongMemory<L>) {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let old = slip::short(&before);
         let trial = self.elasticity.trial(&strain, &old);
-        let strength = self.surface(&old);
+        let strength = self.surface(&before);
         let (slope, ft) = (strength.slope, strength.ft);
         let round_off = L::splat(self.elasticity.round_off);
 
@@ -190,14 +240,16 @@ impl Material for MohrCoulomb {
         let cone = (slope - one).mul_add(mean, strength.reach.mul_add(radius, -strength.fc));
         let largest = mean + (radius + radius) - ft;
         if !L::any(L::either(round_off.less(cone), round_off.less(largest))) {
-            return unyielding(trial, old);
+            let (stress, new) = unyielding(trial, old);
+            return (stress, slip::kept(&new, &before));
         }
         let spectrum = Spectrum::of(&trial);
         let [first, _, third] = spectrum.values();
         let margin = blur(&spectrum);
         let near_shear = round_off.less(strength.excess(first, third) + margin * (slope + one));
         if !L::any(L::either(near_shear, round_off.less(first - ft + margin))) {
-            return unyielding(trial, old);
+            let (stress, new) = unyielding(trial, old);
+            return (stress, slip::kept(&new, &before));
         }
 
         let eigen = spectrum.eigen();
@@ -215,6 +267,11 @@ impl Material for MohrCoulomb {
             way.end(way.a1.neg_mul_add(gamma, way.first), way.a3.neg_mul_add(gamma, way.third), gamma);
         let cut_off = CutOff { strength: ft, low: ft.smaller(slope.mul_add(ft, -strength.fc)) };
         let returned = cut_off.complete(&self.elasticity, s, sheared, ft.less(sheared[0]));
-        flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old)
+        let (stress, new) = flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old);
+        if self.slips() {
+            (stress, slip::advanced(point, &eigen.vectors[0], &new, &before))
+        } else {
+            (stress, slip::kept(&new, &before))
+        }
     }
 }

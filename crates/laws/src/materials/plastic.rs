@@ -5,6 +5,7 @@
 
 pub(super) mod flow;
 pub(super) mod parameters;
+pub(super) mod slip;
 pub(super) mod tension;
 
 use crate::lane::Lane;

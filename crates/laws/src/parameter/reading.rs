@@ -61,10 +61,14 @@ impl<'a> Reading<'a> {
         let values = self.values;
         let columns = values.table(name)?;
         let entry = self.parameters.iter().find(|p| p.name == name)?;
-        let Kind::Table(known) = entry.kind else { return None };
+        let (known, what) = match entry.kind {
+            Kind::Table(known) => (known, "column"),
+            Kind::Set(known) => (known, "value"),
+            Kind::Number(_) | Kind::Word(_) => return None,
+        };
         let faults = self.faults.len();
         for column in known.iter().filter(|c| c.need == Need::Required && !columns.contains_key(c.name)) {
-            self.fault(name, format!("has no column {}", column.name), "add it");
+            self.fault(name, format!("has no {what} {}", column.name), "add it");
         }
         if columns.values().any(|c| c.iter().any(|x| !x.is_finite())) {
             self.fault(name, "holds numbers that are not finite", "give finite values");

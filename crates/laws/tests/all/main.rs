@@ -29,5 +29,6 @@ mod rock_reference;
 mod rock_strength;
 mod scaled;
 mod size;
+mod softening_length;
 mod strips;
 mod wedge;

@@ -67,6 +67,16 @@ fn softening_tables_that_cannot_be_followed_are_refused_by_column() {
         let columns = [strain, ("plastic_tension_strain", &strains[..]), ("tensile_strength", &[1e5, 0.0])];
         assert_eq!(faults(&columns), ["softening.plastic_tension_strain"]);
     }
+    let slip = ("plastic_shear_displacement", &[0.0, 0.01][..]);
+    let cohesion = ("cohesion", &[1e6, 5e5][..]);
+    assert!(faults(&[slip, cohesion]).is_empty());
+    assert_eq!(faults(&[slip, strain, cohesion]), ["softening"]);
+    assert_eq!(faults(&[slip, ("plastic_tension_strain", &[0.0, 0.01]), cohesion]), ["softening"]);
+    assert_eq!(faults(&[("plastic_tension_displacement", &[0.0, 0.01]), cohesion]), ["softening"]);
+    assert_eq!(
+        faults(&[("plastic_shear_displacement", &[0.0, -0.01]), cohesion]),
+        ["softening.plastic_shear_displacement"]
+    );
     assert_eq!(faults(&[strain, ("cohesion", &[9e5, 5e5])]), ["softening.cohesion"]);
     assert_eq!(faults(&[strain, ("cohesion", &[1e6, -1.0])]), ["softening.cohesion"]);
     assert_eq!(faults(&[strain, ("friction_angle", &[phi, 1.58])]), ["softening.friction_angle"]);

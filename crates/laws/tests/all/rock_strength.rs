@@ -137,7 +137,7 @@ fn state_tells_shear_from_tension_and_now_from_past() {
     let law = MohrCoulomb::new(&mohr_coulomb(C, PHI, 0.0, 1e6)).unwrap();
     let pushed = [1e-3, 0.0, -4e-3, 0.0, 0.0, 0.0];
     let pulled = [5e-3, 5e-3, 2e-2, 0.0, 0.0, 0.0];
-    let mut history = [0.0; 10];
+    let mut history = tremolite_laws::virgin::<MohrCoulomb>();
     let mut seen = Vec::new();
     // Twice the same strain: the second time nothing flows.
     for strain in [[0.0; 6], pushed, pushed, pulled, pulled] {

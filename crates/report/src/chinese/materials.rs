@@ -60,9 +60,20 @@ pub const LAWS: Texts = &[
     ("dilation angle ψ, from 0 up to 89.9°", "剪胀角 ψ，自 0 至 89.9°"),
     ("tension cut-off f_t, zero or more", "抗拉截断 f_t，不小于零"),
     (
-        "strength against plastic strain: columns with a number a row, straight lines between rows",
-        "强度随塑性应变的变化：各列每行一个数，行间线性插值",
+        "strength against plastic displacement: columns with a number a row, straight lines between rows",
+        "强度随塑性位移的变化：各列每行一个数，行间线性插值",
     ),
+    (
+        "the rock mass after a slip: m_b, s and a change along straight lines to those of its GSI and D",
+        "滑移后的残余岩体：m_b、s、a 随滑移线性变化至残余 GSI 与 D 的值",
+    ),
+    (
+        "extent that elements must stay below, or they give out energy as they soften",
+        "单元尺寸上限，超过则软化时释放能量",
+    ),
+    ("m_b of the residual state", "残余状态的 m_b"),
+    ("s of the residual state", "残余状态的 s"),
+    ("a of the residual state", "残余状态的 a"),
     ("2c cos φ/(1 − sin φ), uniaxial, at the peak", "2c cos φ/(1 − sin φ)，峰值单轴抗压强度"),
     ("k = (1 + sin φ)/(1 − sin φ)", "k = (1 + sin φ)/(1 − sin φ)"),
     ("c/tan φ, all-round tension that the envelope allows", "c/tan φ，包络线允许的各向等拉应力"),

@@ -188,7 +188,7 @@ pub fn groups<'m>(mesh: &'m Mesh, region: &Region) -> Vec<&'m str> {
 /// A limit of size \[m\] below this is no concrete's: 1 m and more is.
 const LEAST_SIZE: f64 = 0.1;
 
-/// The refusal of elements that store more energy than a crack across them takes.
+/// The refusal of elements that store more energy than a crack or a band of shear across them takes.
 fn oversized(
     case: &Case,
     mesh: &Mesh,
@@ -220,23 +220,41 @@ fn oversized(
     let others =
         if count > 1 { format!(", and {} others are too large as well", count - 1) } else { String::new() };
     let [x, y, z] = centroid(mesh, element);
-    let remedy = if limit < LEAST_SIZE {
-        "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit".to_owned()
-    } else {
-        finer(case, limit, extent)
+    let cracks = law.info().damages;
+    let remedy = match (cracks, limit < LEAST_SIZE) {
+        (true, true) => {
+            "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit".to_owned()
+        }
+        (true, false) => {
+            format!(
+                "{}; or give that energy up: `ultimate_strain_ratio` in place of `fracture_energy`, with evolution = \"residual\"; what \
+                 a crack takes then grows with the element; or judge an elastic lining by `[[section]]`",
+                finer(case, limit, extent)
+            )
+        }
+        (false, _) => {
+            let factor = (10.0 * extent / limit).floor() / 10.0 + 0.1;
+            let longer = format!("the plastic displacements of the softening {factor:.1} times as long");
+            match limit < LEAST_SIZE {
+                true => format!("give {longer}"),
+                false => format!("{}; or give {longer}", mesh_finer(case, limit)),
+            }
+        }
     };
     // What is too large is the generator's size, where there is one.
     let span = match &case.mesh {
-        tremolite_case::Mesh::Caverns(caverns) if limit >= LEAST_SIZE => caverns.near.span.clone(),
+        tremolite_case::Mesh::Caverns(caverns) if cracks && limit >= LEAST_SIZE => caverns.near.span.clone(),
         _ => material.span.clone(),
     };
     Some(Diagnostic::new(
         span,
         format!(
             "element {}{place} at ({x:.1}, {y:.1}, {z:.1}) m extends over {extent:.2} m{others}; with this material's \
-             fracture energy elements must stay below {} m, or a crack would release more than it takes",
+             {} elements must stay below {} m, or a {} would release more than it takes",
             mesh.element_id(element as usize),
-            if limit < LEAST_SIZE { format!("{limit:.1e}") } else { format!("{limit:.2}") }
+            if cracks { "fracture energy" } else { "softening" },
+            if limit < LEAST_SIZE { format!("{limit:.1e}") } else { format!("{limit:.2}") },
+            if cracks { "crack" } else { "band of shear" }
         ),
         remedy,
     ))
@@ -244,9 +262,8 @@ fn oversized(
 
 /// How elements of concrete become small enough, of which the largest now has this extent \[m\].
 fn finer(case: &Case, limit: f64, extent: f64) -> String {
-    // Rounded down to centimetres, so that it holds as it is written.
-    let below = (100.0 * limit - 1.0).floor() / 100.0;
-    let how = match &case.mesh {
+    let below = below(limit);
+    match &case.mesh {
         // Round a vault elements are larger than the size that is asked for, by the same share in a finer mesh; along it there is an even
         // number of them.
         tremolite_case::Mesh::Caverns(caverns) => {
@@ -255,13 +272,26 @@ fn finer(case: &Case, limit: f64, extent: f64) -> String {
             let along = (100.0 * 0.5 * caverns.length.value / pairs).floor() / 100.0;
             format!("give `near` {near} m and `along` {along} m, or more layers of lining where it is thick")
         }
+        _ => mesh_finer(case, limit),
+    }
+}
+
+/// A size \[m\] below a limit, rounded down to centimetres, so that it holds as it is written.
+fn below(limit: f64) -> f64 {
+    (100.0 * limit - 1.0).floor() / 100.0
+}
+
+/// How elements of rock become smaller than a limit \[m\].
+pub(super) fn mesh_finer(case: &Case, limit: f64) -> String {
+    let below = below(limit);
+    match &case.mesh {
+        // Elements of the generator may be a little larger than what is asked for.
+        tremolite_case::Mesh::Caverns(_) => {
+            format!("give `near`, `far` and `along` {:.2} m or less", 0.9 * below)
+        }
         tremolite_case::Mesh::Box(_) => format!("give more `elements` along the axes, for {below} m or less"),
         tremolite_case::Mesh::File(_) => format!("mesh it with {below} m or less"),
-    };
-    format!(
-        "{how}; or give that energy up: `ultimate_strain_ratio` in place of `fracture_energy`, with evolution = \"residual\"; what a crack \
-         takes then grows with the element; or judge an elastic lining by `[[section]]`"
-    )
+    }
 }
 
 fn report_unassigned(case: &Case, mesh: &Mesh, region_of: &[Option<usize>], problems: &mut Vec<Diagnostic>) {

@@ -13,10 +13,16 @@ use std::mem::take;
 use tremolite_case::{Diagnostic, LawFile};
 use tremolite_kernels::follow;
 use tremolite_laws::Isa;
+use tremolite_laws::materials::MATERIALS;
 use tremolite_laws::path::{Control, Path, PathError, Response};
 use tremolite_results::Column;
 
 pub struct Material;
+
+/// Whether a fracture energy says how the law softens.
+fn cracks(law: &LawFile) -> bool {
+    MATERIALS.iter().any(|known| known.name == law.law.value && known.damages)
+}
 
 impl Kind<6> for Material {
     const FORM: &'static Form<6> = &MATERIAL;
@@ -62,19 +68,28 @@ impl Kind<6> for Material {
                 });
                 Diagnostic::new(
                     law.span.clone(),
-                    format!("the law goes by a fracture energy{of} and needs the element's extent"),
+                    match cracks(law) {
+                        true => {
+                            format!("the law goes by a fracture energy{of} and needs the element's extent")
+                        }
+                        false => {
+                            "the law softens over displacement and needs the element's extent".to_owned()
+                        }
+                    },
                     format!("add size = \"… m\"{instead}"),
                 )
             }
             PathError::Size { limit, .. } => Diagnostic::new(
                 law.size.as_ref().map_or_else(|| law.span.clone(), |s| s.span.clone()),
                 format!(
-                    "`size` must be below {limit:.3} m, where an element stores as much as a crack dissipates"
+                    "`size` must be below {limit:.3} m, where an element stores as much energy as it dissipates"
                 ),
-                if *limit < 0.1 {
-                    "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit"
-                } else {
-                    "give a smaller size, or a larger fracture energy"
+                match (cracks(law), *limit < 0.1) {
+                    (true, true) => {
+                        "the limit is 2 G_f E/f_t²: E or G_f looks too low, or f_t too high, by its unit"
+                    }
+                    (true, false) => "give a smaller size, or a larger fracture energy",
+                    (false, _) => "give a smaller size, or a longer plastic displacement",
                 },
             ),
             other => return Failure::input(other),

@@ -7,14 +7,14 @@ use crate::materials::plastic::Elasticity;
 use crate::materials::plastic::parameters::{
     COHESION, DILATION_ANGLE, FRICTION_ANGLE, LARGEST_ANGLE, number, slope,
 };
+use crate::materials::plastic::slip::{DISPLACEMENTS, Measure, STRAINS};
 use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Reading, Values};
 
 const SOFTENING: &str = "softening";
 
-const STRAINS: [(&str, &str); 2] = [
-    ("plastic_shear_strain", "softening.plastic_shear_strain"),
-    ("plastic_tension_strain", "softening.plastic_tension_strain"),
-];
+const STRAIN_PLACES: [&str; 2] = ["softening.plastic_shear_strain", "softening.plastic_tension_strain"];
+const DISPLACEMENT_PLACES: [&str; 2] =
+    ["softening.plastic_shear_displacement", "softening.plastic_tension_displacement"];
 
 const STRENGTHS: [&str; 4] = ["cohesion", "friction_angle", "dilation_angle", "tensile_strength"];
 
@@ -22,13 +22,25 @@ const STAYS: Need = Need::Optional("it stays");
 
 const COLUMNS: &[Parameter] = &[
     number(
-        "plastic_shear_strain",
-        Dimension::NONE,
-        Need::Required,
-        "accumulated plastic shear strain at each row, growing from 0",
+        DISPLACEMENTS[0],
+        Dimension::LENGTH,
+        Need::Optional("plastic_shear_strain must be given, and results depend on the mesh"),
+        "slip across a band of shear at each row, growing from 0: 2 h times the plastic shear strain, h the element's extent",
     ),
     number(
-        "plastic_tension_strain",
+        DISPLACEMENTS[1],
+        Dimension::LENGTH,
+        Need::Optional("f_t goes by the slip alone"),
+        "opening across a crack at each row, growing from 0: f_t goes by whichever displacement has come further",
+    ),
+    number(
+        STRAINS[0],
+        Dimension::NONE,
+        Need::Optional("plastic_shear_displacement must be given"),
+        "accumulated plastic shear strain at each row, growing from 0; without a length",
+    ),
+    number(
+        STRAINS[1],
         Dimension::NONE,
         Need::Optional("f_t goes by the plastic shear strain alone"),
         "plastic tension strain at each row, growing from 0: f_t goes by whichever strain has come further",
@@ -55,7 +67,7 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         name: SOFTENING,
         kind: Kind::Table(COLUMNS),
         need: Need::Optional("strength stays"),
-        doc: "strength against plastic strain: columns with a number a row, straight lines between rows",
+        doc: "strength against plastic displacement: columns with a number a row, straight lines between rows",
     },
 ];
 
@@ -64,18 +76,38 @@ fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>>
     let Some(columns) = reading.table(SOFTENING) else { return Some(None) };
     let faults = reading.faults.len();
     let column = |name: &str| columns.get(name).map(Vec::as_slice);
-    let shear = column("plastic_shear_strain").unwrap_or_default();
+    let given = |names: [&str; 2]| names.into_iter().any(|name| column(name).is_some());
+    let (measure, names, places) = match (given(DISPLACEMENTS), given(STRAINS)) {
+        (true, true) => {
+            reading.fault(
+                SOFTENING,
+                "depends on displacement and on strain",
+                "keep plastic_shear_displacement and plastic_tension_displacement",
+            );
+            return None;
+        }
+        (false, true) => (Measure::Strain, STRAINS, STRAIN_PLACES),
+        _ => (Measure::Displacement, DISPLACEMENTS, DISPLACEMENT_PLACES),
+    };
+    let Some(shear) = column(names[0]) else {
+        reading.fault(
+            SOFTENING,
+            format!("has no column {}", names[0]),
+            "give [0, …]: the peak's, which is 0, and those where strengths change",
+        );
+        return None;
+    };
     if shear.len() < 2 {
         reading.fault(
-            "softening.plastic_shear_strain",
+            places[0],
             "needs two rows or more",
-            "give [0, …]: the strain of the peak, which is 0, and those where strengths change",
+            "give [0, …]: the peak's, which is 0, and those where strengths change",
         );
         return None;
     }
-    for (name, place) in STRAINS {
-        if let Some(strains) = column(name)
-            && (strains[0] != 0.0 || strains.windows(2).any(|pair| pair[0] >= pair[1]))
+    for (name, place) in names.into_iter().zip(places) {
+        if let Some(measures) = column(name)
+            && (measures[0] != 0.0 || measures.windows(2).any(|pair| pair[0] >= pair[1]))
         {
             reading.fault(place, "must grow from 0, row by row", "the first row holds the peak strengths");
         }
@@ -109,7 +141,7 @@ fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>>
     let rows: Vec<Row> = (1..shear.len())
         .map(|row| Row {
             shear: shear[row],
-            tension: column("plastic_tension_strain").map(|c| c[row]),
+            tension: column(names[1]).map(|c| c[row]),
             cohesion: value("cohesion", row, peak.cohesion),
             friction: value("friction_angle", row, peak.friction),
             dilation: value("dilation_angle", row, peak.dilation),
@@ -120,7 +152,7 @@ fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>>
         if row.cohesion == 0.0 && row.friction == 0.0 {
             reading.fault(
                 SOFTENING,
-                format!("leaves neither cohesion nor friction at a strain of {}", row.shear),
+                format!("leaves neither cohesion nor friction in the row {} of {}", row.shear, names[0]),
                 "keep a small cohesion or some friction in every row",
             );
             return None;
@@ -128,14 +160,14 @@ fn read_softening(reading: &mut Reading, peak: Row) -> Option<Option<Softening>>
         if row.dilation > row.friction {
             reading.fault(
                 "softening.dilation_angle",
-                format!("exceeds the friction angle at a strain of {}", row.shear),
+                format!("exceeds the friction angle in the row {} of {}", row.shear, names[0]),
                 "beyond it flow would give out energy: let dilation fall with the friction angle or before it",
             );
             return None;
         }
     }
-    let tension = column("plastic_tension_strain").map(|_| 0.0);
-    Some(Some(Softening::new(Row { tension, ..peak }, &rows)))
+    let tension = column(names[1]).map(|_| 0.0);
+    Some(Some(Softening::new(measure, Row { tension, ..peak }, &rows)))
 }
 
 pub(super) fn read(values: &Values) -> Result<MohrCoulomb, Vec<BadParameter>> {
@@ -152,11 +184,15 @@ pub(super) fn read(values: &Values) -> Result<MohrCoulomb, Vec<BadParameter>> {
         let ([cohesion, friction, dilation], tensile) = (envelope?, tensile?);
         let peak = Row { shear: 0.0, tension: None, cohesion, friction, dilation, tensile };
         let softening = read_softening(&mut reading, peak)?;
+        let moduli = moduli?;
+        let size_limit =
+            softening.as_ref().map_or(f64::INFINITY, |softening| softening.size_limit(moduli.young()));
         Some(MohrCoulomb {
-            elasticity: Elasticity::new(moduli?),
+            elasticity: Elasticity::new(moduli),
             tensile,
             peak: Strength::new(slope(friction), cohesion, tensile, slope(dilation)),
             softening,
+            size_limit,
         })
     };
     let law = build();

@@ -1,13 +1,15 @@
-//! Strength that changes with plastic strain, by a table.
+//! Strength that changes with slip and opening, or with plastic strain, by a table.
 
 use crate::lane::Lane;
+use crate::materials::plastic::parameters::slope as slope_of;
+use crate::materials::plastic::slip::{self, Fall, Measure};
 
-/// A row of the table: strengths once the plastic strains have come so far.
+/// A row of the table: strengths once the measures have come so far.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
-    /// Plastic shear strain.
+    /// Slip \[m\] or plastic shear strain.
     pub shear: f64,
-    /// Plastic tension strain, where the table has it.
+    /// Opening \[m\] or plastic tension strain, where the table has it.
     pub tension: Option<f64>,
     /// c \[Pa\]
     pub cohesion: f64,
@@ -22,6 +24,7 @@ pub(super) struct Row {
 /// Straight lines from row to row, the last row beyond the end.
 #[derive(Clone, Debug)]
 pub(super) struct Softening {
+    pub measure: Measure,
     first: Row,
     steps: Box<[Step]>,
 }
@@ -29,7 +32,7 @@ pub(super) struct Softening {
 /// From one row to the next.
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    /// Plastic strains at its start, and one over how far they go on to its end; 0 where tension has no say.
+    /// Measures at its start, and one over how far they go on to its end; 0 where tension has no say.
     shear: [f64; 2],
     tension: [f64; 2],
     /// What strengths gain on the way.
@@ -70,8 +73,8 @@ pub(super) struct Left<L> {
 
 /// How much of a step is done, from 0 to 1.
 #[inline(always)]
-fn done<L: Lane>(strain: L, [start, per_length]: [f64; 2]) -> L {
-    let share = (strain - L::splat(start)) * L::splat(per_length);
+fn done<L: Lane>(measure: L, [start, per_length]: [f64; 2]) -> L {
+    let share = (measure - L::splat(start)) * L::splat(per_length);
     L::splat(1.0).smaller(share.larger(L::splat(0.0)))
 }
 
@@ -105,13 +108,51 @@ fn slope<L: Lane>(angle: L) -> L {
 }
 
 impl Softening {
-    /// From rows whose strains grow from 0.
-    pub fn new(first: Row, others: &[Row]) -> Self {
+    /// From rows whose measures grow from 0.
+    pub fn new(measure: Measure, first: Row, others: &[Row]) -> Self {
         let starts = std::iter::once(&first).chain(others);
-        Softening { first, steps: starts.zip(others).map(|(a, b)| Step::between(a, b)).collect() }
+        let steps = starts.zip(others).map(|(a, b)| Step::between(a, b)).collect();
+        Softening { measure, first, steps }
     }
 
-    /// Strength after plastic strains of shear and tension.
+    /// Whether any strength falls.
+    pub fn falls(&self) -> bool {
+        self.steps.iter().any(|step| step.cohesion < 0.0 || step.friction < 0.0 || step.tensile < 0.0)
+    }
+
+    /// See [`slip::size_limit`]: infinite where softening has no length.
+    pub fn size_limit(&self, young: f64) -> f64 {
+        if self.measure == Measure::Strain {
+            return f64::INFINITY;
+        }
+        let uniaxial = |row: &Row| 2.0 * row.cohesion * slope_of(row.friction).sqrt();
+        let confined = uniaxial(&self.first);
+        let axial = |row: &Row| {
+            [0.0, confined].map(|confinement| slope_of(row.friction).mul_add(confinement, uniaxial(row)))
+        };
+        let mut rows = vec![self.first];
+        for step in &*self.steps {
+            let mut next = rows[rows.len() - 1];
+            next.cohesion += step.cohesion;
+            next.friction += step.friction;
+            next.dilation += step.dilation;
+            next.tensile += step.tensile;
+            rows.push(next);
+        }
+        let falls = rows.windows(2).zip(&*self.steps).map(|(pair, step)| {
+            let (from, to) = (axial(&pair[0]), axial(&pair[1]));
+            Fall {
+                shear: (0..2).map(|k| from[k] - to[k]).fold(0.0, f64::max),
+                slip: 1.0 / step.shear[1],
+                flow: slope_of(pair[0].dilation.max(pair[1].dilation)),
+                tension: (step.tension[1] > 0.0)
+                    .then(|| [pair[0].tensile - pair[1].tensile, 1.0 / step.tension[1]]),
+            }
+        });
+        slip::size_limit(young, falls)
+    }
+
+    /// Strength after these measures of shear and of tension.
     #[inline(always)]
     pub fn left<L: Lane>(&self, shear: L, tension: L) -> Left<L> {
         let zero = L::splat(0.0);

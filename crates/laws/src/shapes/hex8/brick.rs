@@ -75,6 +75,11 @@ impl OnePointShape for BrickGeometry {
     }
 
     #[inline(always)]
+    fn gradient<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> [[L; 3]; 3] {
+        gradient_of(&self.lengths::<L>(at), modes)
+    }
+
+    #[inline(always)]
     fn strain<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> (Sym<L>, [[L; 4]; 3]) {
         let [x, y, z] = LINEAR;
         let r = self.lengths::<L>(at);
@@ -157,6 +162,17 @@ fn bend<L: Lane, const B: usize, const C: usize>(
     let shear = bend * (L::splat(0.5) * less) * gamma;
     f[B][B] = r[C].mul_add(shear, f[B][B]);
     f[C][C] = r[B].mul_add(shear, f[C][C]);
+}
+
+/// Mean displacement gradient along the edges, from modal displacements along them.
+#[inline(always)]
+pub(super) fn gradient_of<L: Lane>(r: &[L; 3], modes: &[[L; 8]; 3]) -> [[L; 3]; 3] {
+    let [x, y, z] = LINEAR;
+    [
+        [r[0] * modes[0][x], r[1] * modes[0][y], r[2] * modes[0][z]],
+        [r[0] * modes[1][x], r[1] * modes[1][y], r[2] * modes[1][z]],
+        [r[0] * modes[2][x], r[1] * modes[2][y], r[2] * modes[2][z]],
+    ]
 }
 
 /// The size tensor of a brick, 4 ℓ_k² on the diagonal; zero of one without extent.

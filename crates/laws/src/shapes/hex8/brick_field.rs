@@ -288,6 +288,11 @@ impl FieldShape for BrickField {
     }
 
     #[inline(always)]
+    fn gradient<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> [[L; 3]; 3] {
+        super::brick::gradient_of(&self.lengths::<L>(at), &self.along(modes, at))
+    }
+
+    #[inline(always)]
     fn global<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L> {
         let t = self.rows::<L>(at);
         let x = [t[0][0], t[1][0], t[2][0]];

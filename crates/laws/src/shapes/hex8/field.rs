@@ -1,7 +1,7 @@
 //! The assumed strain of an element that is integrated by several points: from modal displacements to the strain's own
 //! coefficients, and back from their resultants to modal forces.
 
-use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
+use super::modal::{MODES, along_axis, mean_gradient, mean_gradients, modal_forces};
 use super::unit_strains::{fibre_strain, surface_strains};
 use super::wedge::WedgeField;
 use super::{Given, Hex8, Stabilisation, Surface, to_modes, to_nodes};
@@ -67,6 +67,9 @@ pub trait FieldShape: Copy + Send + Sync + 'static {
 
     /// The size tensor that a law sees ([`crate::Point::size`]).
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L>;
+
+    /// Mean displacement gradient ([`crate::Point::gradient`]).
+    fn gradient<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> [[L; 3]; 3];
 
     /// A stress in global axes from one in those of the strain.
     fn global<L: Lane>(&self, stress: &Sym<L>, at: usize) -> Sym<L>;
@@ -490,6 +493,11 @@ impl FieldShape for Field {
     #[inline(always)]
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L> {
         super::seen_size(given, &self.gradient, &self.hourglass, at)
+    }
+
+    #[inline(always)]
+    fn gradient<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> [[L; 3]; 3] {
+        mean_gradients(&self.gradient, &self.hourglass, modes, at)
     }
 
     #[inline(always)]

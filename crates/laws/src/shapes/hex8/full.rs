@@ -115,6 +115,7 @@ pub unsafe fn full<L: Lane, G: FullShape, M: Material, const PROBE: bool>(
         let mut lane_point = Point::<L>::splat(point);
         if facts.needs_size {
             lane_point.size = field.size(&given, at);
+            lane_point.gradient = field.gradient(&modes, at);
         }
         let mut energy = L::splat(0.0);
         let (mut dissipated, mut created, mut of_band) = (energy, energy, energy);

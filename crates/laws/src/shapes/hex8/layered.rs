@@ -145,6 +145,7 @@ pub unsafe fn layered<L: Lane, G: LayeredShape, M: Material, const PROBE: bool>(
         let mut lane_point = Point::<L>::splat(point);
         if facts.needs_size {
             lane_point.size = field.size(&given, at);
+            lane_point.gradient = field.gradient(&modes, at);
         }
         let mut sums = [[zero; 8]; 6];
         if let Some((step, bodies)) = &band {

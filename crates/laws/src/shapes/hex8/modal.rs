@@ -43,6 +43,21 @@ pub fn mean_gradient<L: Lane>(
     (g, q)
 }
 
+/// Mean displacement gradient, `[component][axis]`.
+#[inline(always)]
+pub fn mean_gradients<L: Lane>(
+    gradient: &[[Octet; 7]; 3],
+    hourglass: &[[Octet; 3]; 4],
+    modes: &[[L; 8]; 3],
+    at: usize,
+) -> [[L; 3]; 3] {
+    [
+        mean_gradient::<L>(gradient, hourglass, &modes[0], at).0,
+        mean_gradient::<L>(gradient, hourglass, &modes[1], at).0,
+        mean_gradient::<L>(gradient, hourglass, &modes[2], at).0,
+    ]
+}
+
 /// s_kα over α: the amplitudes along natural axis k, over its half-length.
 #[inline(always)]
 pub fn along_axis<L: Lane>(axis: &[Octet; 3], q0: &[L; 4], q1: &[L; 4], q2: &[L; 4], at: usize) -> [L; 4] {

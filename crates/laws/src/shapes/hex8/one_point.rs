@@ -1,6 +1,6 @@
 //! One-point quadrature with the hourglass part integrated in closed form.
 
-use super::modal::{MODES, along_axis, mean_gradient, modal_forces};
+use super::modal::{MODES, along_axis, mean_gradient, mean_gradients, modal_forces};
 use super::pores::Pressed;
 use super::wedge::turn_square;
 use super::{Given, Hex8, Probe, Stabilisation, Surface, gather_modes, scatter_nodal, store_nodal};
@@ -35,6 +35,9 @@ pub trait OnePointShape: Copy + Send + Sync + 'static {
 
     /// The size tensor that a law sees ([`Point::size`]).
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L>;
+
+    /// Mean displacement gradient ([`Point::gradient`]).
+    fn gradient<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> [[L; 3]; 3];
 
     /// Mean strain and hourglass amplitudes.
     fn strain<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> (Sym<L>, [[L; 4]; 3]);
@@ -112,6 +115,11 @@ impl OnePointShape for OnePointGeometry {
     #[inline(always)]
     fn size<L: Lane>(&self, given: &Given, at: usize) -> Sym<L> {
         super::seen_size(given, &self.gradient, &self.hourglass, at)
+    }
+
+    #[inline(always)]
+    fn gradient<L: Lane>(&self, modes: &[[L; 8]; 3], at: usize) -> [[L; 3]; 3] {
+        mean_gradients(&self.gradient, &self.hourglass, modes, at)
     }
 
     #[inline(always)]
@@ -232,6 +240,7 @@ pub unsafe fn one_point<L: Lane, G: OnePointShape, M: Material, const PROBE: boo
         let mut lane_point = Point::<L>::splat(point);
         if facts.needs_size {
             lane_point.size = geometry.size(&given, at);
+            lane_point.gradient = geometry.gradient(&modes, at);
         }
         let old: M::History<L> = load(history, at);
         let (of_law, mut new) = super::answer(material, &lane_point, strain, old, left, at);

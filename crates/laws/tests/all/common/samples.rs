@@ -148,6 +148,23 @@ const SAMPLES: &[Sample] = &[
             ],
         )],
     },
+    Sample {
+        law: "mohr-coulomb",
+        variant: "softening over displacement",
+        numbers: rock!(cohesion 2e6, friction_angle deg(42.0), dilation_angle deg(10.0), tensile_strength 1e6),
+        words: &[],
+        tables: &[(
+            "softening",
+            &[
+                ("plastic_shear_displacement", &[0.0, 2e-3, 1e-2]),
+                ("plastic_tension_displacement", &[0.0, 1e-4, 1e-3]),
+                ("cohesion", &[2e6, 1e6, 0.5e6]),
+                ("friction_angle", &[deg(42.0), deg(45.0), deg(30.0)]),
+                ("dilation_angle", &[deg(10.0), deg(5.0), 0.0]),
+                ("tensile_strength", &[1e6, 2e5, 0.0]),
+            ],
+        )],
+    },
     sample("drucker-prager", "outer", CONE, &[("fit", "outer")]),
     sample("drucker-prager", "inner", CONE, &[("fit", "inner")]),
     sample("drucker-prager", "plane strain", CONE, &[("fit", "plane-strain")]),
@@ -159,6 +176,23 @@ const SAMPLES: &[Sample] = &[
         &[],
     ),
     sample("hoek-brown", "poor, dilates", rock!(ucs 60e6, gsi 12.0, m_i 12.0, dilation_angle 0.6), &[]),
+    Sample {
+        law: "hoek-brown",
+        variant: "residual state after a slip",
+        numbers: rock!(ucs 80e6, gsi 70.0, m_i 15.0, dilation_angle 0.1),
+        words: &[],
+        tables: &[(
+            "residual",
+            &[("gsi", &[30.0]), ("disturbance", &[0.5]), ("plastic_shear_displacement", &[1e-2])],
+        )],
+    },
+    Sample {
+        law: "hoek-brown",
+        variant: "residual state after a strain",
+        numbers: rock!(ucs 80e6, gsi 70.0, m_i 15.0, tensile_strength 1e5),
+        words: &[],
+        tables: &[("residual", &[("gsi", &[25.0]), ("plastic_shear_strain", &[5e-3])])],
+    },
     sample("bandis", "following, bonded", joint!(cohesion 1e6), &[]),
     sample("bandis", "following, without bond", joint!(), &[]),
     sample(
