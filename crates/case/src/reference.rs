@@ -134,12 +134,10 @@ impl Page<'_> {
                 Kind::Set(entries) => entries.iter().map(law_key::of).collect(),
                 _ => Vec::new(),
             };
-            {
-                for inner in inner {
-                    let (need, doc) = (listed(&inner).need, suggest::capital(inner.doc));
-                    let value = value(inner.name, &inner.kind);
-                    self.line(&format!("| `{}.{}` | {value} | {need} | {doc} |", key.name, inner.name));
-                }
+            for inner in inner {
+                let (need, doc) = (listed(&inner).need, suggest::capital(inner.doc));
+                let value = value(inner.name, &inner.kind);
+                self.line(&format!("| `{}.{}` | {value} | {need} | {doc} |", key.name, inner.name));
             }
         }
         self.line("");

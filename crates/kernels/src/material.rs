@@ -9,7 +9,7 @@ use tremolite_laws::parameter::Derived;
 use tremolite_laws::shapes::hex8::{
     BrickField, BrickGeometry, Hex8, LayeredGeometry, OnePointGeometry, Quadrature,
 };
-use tremolite_laws::{BadParameter, Column, Isa, LawInfo, Material, Moduli, Values};
+use tremolite_laws::{BadParameter, Column, Isa, LawInfo, Material, Moduli, Softens, Values};
 
 /// A law with its parameters, ready to make patches of elements.
 pub trait AnyMaterial: Send + Sync {
@@ -26,6 +26,8 @@ pub trait AnyMaterial: Send + Sync {
     fn relaxed(&self) -> Moduli;
     /// See [`Material::size_limit`].
     fn size_limit(&self) -> f64;
+    /// See [`Material::softens`].
+    fn softens(&self) -> Softens;
     /// See [`Material::crack_energy`].
     fn crack_energy(&self, extent: f64) -> Option<f64>;
     /// See [`Material::corner_strength`].
@@ -104,6 +106,10 @@ impl<M: Material + 'static> AnyMaterial for Instance<M> {
 
     fn size_limit(&self) -> f64 {
         self.law.size_limit()
+    }
+
+    fn softens(&self) -> Softens {
+        self.law.softens()
     }
 
     fn crack_energy(&self, extent: f64) -> Option<f64> {

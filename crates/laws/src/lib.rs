@@ -14,7 +14,9 @@ pub mod sym3;
 
 pub use interface::{Interface, PairState};
 pub use lane::{Isa, Lane, Octet, Row};
-pub use material::{Facts, History, InPlace, Material, Moduli, Point, Sym, complementary_energy, virgin};
+pub use material::{
+    Facts, History, InPlace, Material, Moduli, Point, Softens, Sym, complementary_energy, virgin,
+};
 pub use parameter::{
     BadParameter, Choice, Column, Dimension, Kind, LawInfo, Need, Parameter, Role, Value, Values,
 };

@@ -307,6 +307,11 @@ pub trait Material: Send + Sync + Sized {
         self.size_limit().is_finite()
     }
 
+    /// How strength falls with plastic flow.
+    fn softens(&self) -> Softens {
+        Softens::Never
+    }
+
     /// Energy per area \[N/m\] that a crack dissipates across an element of this extent \[m\] at static rates; none
     /// for a law without cracks.
     fn crack_energy(&self, _extent: f64) -> Option<f64> {
@@ -433,6 +438,18 @@ pub trait Material: Send + Sync + Sized {
         store(&new, history, at);
         InPlace { stress, left, before: self.unbroken(&old), now: self.unbroken(&new) }
     }
+}
+
+/// How strength falls with plastic flow, by what gives a band its width.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Softens {
+    Never,
+    /// Over plastic strain: a band is one element wide and dissipates by its volume.
+    OverStrain,
+    /// Over displacement: a band is one element wide and dissipates by its area.
+    OverDisplacement,
+    /// Over plastic strain with a relaxation time: a disturbance grows e-fold in this time \[s\] and spreads at V_s meanwhile.
+    Relaxing(f64),
 }
 
 /// What kernels go by of a law, by its constants of the same names.

@@ -23,7 +23,7 @@
 //! step), 8 (tension earlier).
 //!
 //! **Not modelled.** The intermediate principal stress in strength, the change from brittle
-//! to ductile at high confinement, directions of jointing, pore pressure, rate.
+//! to ductile at high confinement, directions of jointing, pore pressure, rate but for the relaxation time.
 
 mod envelope;
 mod parameters;
@@ -31,11 +31,12 @@ mod residual;
 
 use super::elastic::soft_for_its_strength;
 use super::plastic::flow::{Flow, Way};
+use super::plastic::relaxation::{self, Relaxation};
 use super::plastic::slip::{self, LONG_COLUMNS, LongMemory, Measure};
 use super::plastic::tension::{CutOff, Returned};
 use super::plastic::{Elasticity, blur, mean_and_radius, unyielding};
 use crate::lane::Lane;
-use crate::material::{Facts, Material, Moduli, Point, Sym, complementary_energy};
+use crate::material::{Facts, Material, Moduli, Point, Softens, Sym, complementary_energy};
 use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
 use crate::sym3::Spectrum;
 use envelope::Envelope;
@@ -55,6 +56,7 @@ pub struct HoekBrown {
     residual: Option<Residual>,
     /// \[m\]
     size_limit: f64,
+    relaxation: Option<Relaxation>,
 }
 
 /// The surface as lanes see it.
@@ -81,6 +83,13 @@ impl HoekBrown {
     #[inline(always)]
     fn slips(&self) -> bool {
         matches!(&self.residual, Some(residual) if residual.measure == Measure::Displacement)
+    }
+
+    /// See [`Relaxation::growth_time`].
+    fn growth_time(&self) -> Option<f64> {
+        let (residual, relaxation) = (self.residual.as_ref()?, self.relaxation.as_ref()?);
+        let stage = residual.stage(&self.envelope, self.flow);
+        Some(relaxation.growth_time(self.elasticity.mu, std::iter::once(stage)))
     }
 
     /// The surface as lanes see it after what they went through.
@@ -163,6 +172,15 @@ impl Material for HoekBrown {
         self.size_limit
     }
 
+    fn softens(&self) -> Softens {
+        match (&self.residual, self.growth_time()) {
+            (None, _) => Softens::Never,
+            (Some(Residual { measure: Measure::Displacement, .. }), _) => Softens::OverDisplacement,
+            (Some(_), None) => Softens::OverStrain,
+            (Some(_), Some(time)) => Softens::Relaxing(time),
+        }
+    }
+
     fn new(values: &Values) -> Result<Self, Vec<BadParameter>> {
         parameters::read(values)
     }
@@ -205,6 +223,7 @@ impl Material for HoekBrown {
             ]);
         }
         all.extend(slip::derived(self.size_limit));
+        all.extend(relaxation::derived(self.growth_time()));
         all
     }
 
@@ -216,8 +235,9 @@ impl Material for HoekBrown {
                 self.tensile, self.cut_off[0]
             ));
         }
-        let by_strain = |residual: &&Residual| residual.measure == Measure::Strain;
-        warnings.extend(self.residual.as_ref().filter(by_strain).map(|_| slip::without_length("residual")));
+        if self.softens() == Softens::OverStrain {
+            warnings.push(slip::without_length("residual"));
+        }
         warnings
     }
 
@@ -280,10 +300,16 @@ impl Material for HoekBrown {
             if L::any(steep) {
                 returned = self.returned(&surface, s, excess, &flow);
             }
+            if let Some(relaxation) = &self.relaxation {
+                relaxation.relax(s, &mut returned, point.dt);
+            }
             flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old)
         } else {
             let flow = Flow::new(&self.elasticity, one);
-            let returned = self.returned(&surface, s, excess, &flow);
+            let mut returned = self.returned(&surface, s, excess, &flow);
+            if let Some(relaxation) = &self.relaxation {
+                relaxation.relax(s, &mut returned, point.dt);
+            }
             flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old)
         };
         if self.slips() {

@@ -18,7 +18,8 @@
 //! sides that are free, the axial stress falls at 2h√((M² + M + 1)/3) times its slope over the slip, and by that no faster
 //! than E. The slope is that at a confinement of 0 or of f_c at the peak, whichever falls faster; the second is an assumption
 //! (loss of friction counts by the pressure). A table over the plastic shear strain itself has no length: what it
-//! dissipates per area grows with the element, and results depend on the mesh.
+//! dissipates per area grows with the element, and results depend on the mesh, unless a relaxation time gives bands a width
+//! (`plastic/relaxation.rs`).
 //!
 //! **Measures.** `plastic_shear_strain` accumulates √J₂ of the plastic strain of each face that flows; under pure
 //! shear with ψ = 0 that is half the engineering shear strain. `plastic_tension_strain` accumulates the lengthening
@@ -29,18 +30,19 @@
 //! the opening on the cut-off.
 //!
 //! **Not modelled.** The intermediate principal stress in strength, closing of tension cracks (a tension strain
-//! stays), pore pressure, rate, creep, joints with a direction.
+//! stays), pore pressure, rate but for the relaxation time, creep, joints with a direction.
 
 mod parameters;
 mod softening;
 
 use super::elastic::soft_for_its_strength;
 use super::plastic::flow::Flow;
+use super::plastic::relaxation::{self, Relaxation};
 use super::plastic::slip::{self, LONG_COLUMNS, LongMemory, Measure};
 use super::plastic::tension::CutOff;
 use super::plastic::{Elasticity, blur, mean_and_radius, unyielding};
 use crate::lane::Lane;
-use crate::material::{Facts, Material, Moduli, Point, Sym, complementary_energy};
+use crate::material::{Facts, Material, Moduli, Point, Softens, Sym, complementary_energy};
 use crate::parameter::{BadParameter, Column, Derived, Parameter, Values};
 use crate::sym3::Spectrum;
 use softening::Softening;
@@ -55,6 +57,7 @@ pub struct MohrCoulomb {
     softening: Option<Softening>,
     /// \[m\]
     size_limit: f64,
+    relaxation: Option<Relaxation>,
 }
 
 /// The yield surface in numbers.
@@ -112,6 +115,13 @@ impl MohrCoulomb {
     #[inline(always)]
     fn slips(&self) -> bool {
         matches!(&self.softening, Some(softening) if softening.measure == Measure::Displacement)
+    }
+
+    /// See [`Relaxation::growth_time`].
+    fn growth_time(&self) -> Option<f64> {
+        let softening = self.softening.as_ref().filter(|softening| softening.falls())?;
+        let relaxation = self.relaxation.as_ref()?;
+        Some(relaxation.growth_time(self.elasticity.mu, softening.stages().into_iter()))
     }
 
     /// The surface as lanes see it after what they went through.
@@ -176,6 +186,17 @@ impl Material for MohrCoulomb {
         self.size_limit
     }
 
+    fn softens(&self) -> Softens {
+        match &self.softening {
+            Some(softening) if softening.falls() => match (softening.measure, self.growth_time()) {
+                (Measure::Displacement, _) => Softens::OverDisplacement,
+                (Measure::Strain, None) => Softens::OverStrain,
+                (Measure::Strain, Some(time)) => Softens::Relaxing(time),
+            },
+            _ => Softens::Never,
+        }
+    }
+
     fn derived(&self, _: [f64; 2]) -> Vec<Derived> {
         let peak = &self.peak;
         let mut all = vec![
@@ -193,6 +214,7 @@ impl Material for MohrCoulomb {
         }
         all.push(Derived::new("tensile_strength", peak.ft, "Pa", "f_t in use, not beyond the apex"));
         all.extend(slip::derived(self.size_limit));
+        all.extend(relaxation::derived(self.growth_time()));
         all
     }
 
@@ -204,10 +226,9 @@ impl Material for MohrCoulomb {
                 self.tensile, self.peak.ft
             ));
         }
-        let softens = |softening: &Softening| softening.measure == Measure::Strain && softening.falls();
-        warnings.extend(
-            self.softening.as_ref().filter(|s| softens(s)).map(|_| slip::without_length("softening")),
-        );
+        if self.softens() == Softens::OverStrain {
+            warnings.push(slip::without_length("softening"));
+        }
         warnings
     }
 
@@ -266,7 +287,10 @@ impl Material for MohrCoulomb {
         let sheared =
             way.end(way.a1.neg_mul_add(gamma, way.first), way.a3.neg_mul_add(gamma, way.third), gamma);
         let cut_off = CutOff { strength: ft, low: ft.smaller(slope.mul_add(ft, -strength.fc)) };
-        let returned = cut_off.complete(&self.elasticity, s, sheared, ft.less(sheared[0]));
+        let mut returned = cut_off.complete(&self.elasticity, s, sheared, ft.less(sheared[0]));
+        if let Some(relaxation) = &self.relaxation {
+            relaxation.relax(s, &mut returned, point.dt);
+        }
         let (stress, new) = flow.book(&self.elasticity, &trial, &eigen, &returned, yielding, &old);
         if self.slips() {
             (stress, slip::advanced(point, &eigen.vectors[0], &new, &before))

@@ -5,6 +5,7 @@
 
 pub(super) mod flow;
 pub(super) mod parameters;
+pub(super) mod relaxation;
 pub(super) mod slip;
 pub(super) mod tension;
 

@@ -23,6 +23,7 @@ mod lanes;
 mod layered;
 mod path;
 mod path_stress;
+mod relaxation;
 mod rock_parameters;
 mod rock_properties;
 mod rock_reference;

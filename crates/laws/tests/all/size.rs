@@ -165,21 +165,25 @@ impl Material for ShowsGradient {
 }
 
 #[test]
-fn all_quadratures_and_bricks_hand_over_the_gradient_of_a_uniform_field_with_its_rotation() {
+fn all_quadratures_bricks_and_wedges_compute_the_gradient_of_a_uniform_field_with_its_rotation() {
     let mut random = Random::new(32);
     for round in 0..50 {
-        let brick = round % 2 == 0;
+        let (brick, is_wedge) = (round % 3 == 0, round % 3 == 2);
         let sides = [0.25, 1.2, 0.6];
-        let corners = CORNERS.map(|c| {
+        let mut corners = CORNERS.map(|c| {
             std::array::from_fn(|i| {
                 2.0 + sides[i] * (0.5 * c[i] + if brick { 0.0 } else { 0.12 * random.symmetric() })
             })
         });
+        if is_wedge {
+            (corners[3], corners[7]) = (corners[2], corners[6]);
+        }
         let exact: [[f64; 3]; 3] = [0; 3].map(|_| [0; 3].map(|_| random.symmetric()));
         let rows = corners.map(|x: [f64; 3]| {
             Row::new([0, 1, 2].map(|i| 5.0 + (0..3).map(|j| exact[i][j] * x[j]).sum::<f64>()))
         });
         let hex = Hex8::new(corners).unwrap();
+        assert_eq!(hex.is_wedge, is_wedge);
         let stabilisation = Stabilisation::new(ShowsGradient(0).moduli());
         let index: [[u16; 8]; 8] = std::array::from_fn(|k| [k as u16; 8]);
         let point = Point::new(0.0);

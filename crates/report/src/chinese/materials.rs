@@ -60,9 +60,11 @@ pub const LAWS: Texts = &[
     ("dilation angle ψ, from 0 up to 89.9°", "剪胀角 ψ，自 0 至 89.9°"),
     ("tension cut-off f_t, zero or more", "抗拉截断 f_t，不小于零"),
     (
-        "strength against plastic displacement: columns with a number a row, straight lines between rows",
-        "强度随塑性位移的变化：各列每行一个数，行间线性插值",
+        "strength against plastic displacement or strain: columns with a number a row, straight lines between rows",
+        "强度随塑性位移或塑性应变的变化：各列每行一个数，行间线性插值",
     ),
+    ("time in which stress beyond the strength relaxes", "超出强度的应力的松弛时间"),
+    ("τ μ/|H|", "τ μ/|H|"),
     (
         "the rock mass after a slip: m_b, s and a change along straight lines to those of its GSI and D",
         "滑移后的残余岩体：m_b、s、a 随滑移线性变化至残余 GSI 与 D 的值",

@@ -27,6 +27,7 @@ mod seepage;
 mod sides;
 mod site;
 mod soaked;
+mod softening;
 mod soil;
 mod stages;
 mod target;
@@ -273,6 +274,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     warnings.extend(unlikely::lengths(case, &mesh));
     warnings.extend(interfaces::warnings(case, &laws.interfaces));
     warnings.extend(warnings::of_laws(case, &bodies, &fields));
+    warnings.extend(softening::warnings(case, &mesh, &lasting));
     warnings.extend(sides::warnings(case));
     warnings.extend(warnings::of_thin_bodies(case, &mesh, &lasting));
     warnings.extend(warnings::of_single_layers(case, &mesh, &lasting));

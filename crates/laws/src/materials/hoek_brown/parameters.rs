@@ -6,6 +6,7 @@ use super::residual::Residual;
 use crate::materials::elastic::{POISSON, YOUNG};
 use crate::materials::plastic::Elasticity;
 use crate::materials::plastic::parameters::{ANGLES, is_angle, number, slope};
+use crate::materials::plastic::relaxation::RELAXATION_TIME;
 use crate::materials::plastic::slip::{DISPLACEMENTS, Measure, STRAINS};
 use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Reading, Values};
 
@@ -49,6 +50,7 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         need: Need::Optional("strength stays"),
         doc: "the rock mass after a slip: m_b, s and a change along straight lines to those of its GSI and D",
     },
+    RELAXATION_TIME,
 ];
 
 const RESIDUAL: &str = "residual";
@@ -64,14 +66,14 @@ const RESIDUAL_STATE: &[Parameter] = &[
     number(
         DISPLACEMENTS[0],
         Dimension::LENGTH,
-        Need::Optional("plastic_shear_strain must be given, and results depend on the mesh"),
+        Need::Optional("plastic_shear_strain must be given"),
         "slip across a band of shear at which it is reached: 2 h times the plastic shear strain, h the element's extent",
     ),
     number(
         STRAINS[0],
         Dimension::NONE,
         Need::Optional("plastic_shear_displacement must be given"),
-        "plastic shear strain at which it is reached; without a length",
+        "plastic shear strain at which it is reached; beside relaxation_time",
     ),
 ];
 
@@ -160,6 +162,8 @@ pub(super) fn read(values: &Values) -> Result<HoekBrown, Vec<BadParameter>> {
         (Some(gsi), Some(m_i), Some(disturbance)) => read_residual(&mut reading, gsi, m_i, disturbance),
         _ => Some(None),
     };
+    let slips = matches!(&residual, Some(Some(residual)) if residual.measure == Measure::Displacement);
+    let relaxation = reading.relaxation(slips);
     let build = || {
         let [mb, s, a] = constants(gsi?, m_i?, disturbance?);
         let envelope = Envelope::new(ucs?, [mb, s, a]);
@@ -181,6 +185,7 @@ pub(super) fn read(values: &Values) -> Result<HoekBrown, Vec<BadParameter>> {
             tensile,
             residual,
             size_limit,
+            relaxation: relaxation?,
         })
     };
     match build() {

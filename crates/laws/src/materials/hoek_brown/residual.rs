@@ -36,12 +36,18 @@ impl Residual {
     /// See [`slip::size_limit`]; infinite where the way has no length. Strength is compared at a confinement of 0 and of the peak's
     /// uniaxial strength (an assumption).
     pub fn size_limit(&self, young: f64, peak: &Envelope<f64>, flow: f64) -> f64 {
-        if self.measure == Measure::Strain {
-            return f64::INFINITY;
+        match self.measure {
+            Measure::Strain => f64::INFINITY,
+            Measure::Displacement => slip::size_limit(young, std::iter::once(self.stage(peak, flow))),
         }
+    }
+
+    /// What strength loses on the way; `flow` is the M of the dilation angle.
+    pub fn stage(&self, peak: &Envelope<f64>, flow: f64) -> Fall {
         let end = Envelope::new(peak.sci, self.end);
         let lost = |confinement: f64| peak.strength(confinement) - end.strength(confinement);
         let shear = lost(0.0).max(lost(peak.uniaxial()));
-        slip::size_limit(young, std::iter::once(Fall { shear, slip: self.over, flow, tension: None }))
+        let slope = peak.slope(0.0, -peak.uniaxial(), 0.0);
+        Fall { shear, slope, slip: self.over, flow, tension: None }
     }
 }

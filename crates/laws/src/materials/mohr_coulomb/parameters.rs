@@ -7,6 +7,7 @@ use crate::materials::plastic::Elasticity;
 use crate::materials::plastic::parameters::{
     COHESION, DILATION_ANGLE, FRICTION_ANGLE, LARGEST_ANGLE, number, slope,
 };
+use crate::materials::plastic::relaxation::RELAXATION_TIME;
 use crate::materials::plastic::slip::{DISPLACEMENTS, Measure, STRAINS};
 use crate::parameter::{BadParameter, Dimension, Kind, Need, Parameter, Reading, Values};
 
@@ -24,7 +25,7 @@ const COLUMNS: &[Parameter] = &[
     number(
         DISPLACEMENTS[0],
         Dimension::LENGTH,
-        Need::Optional("plastic_shear_strain must be given, and results depend on the mesh"),
+        Need::Optional("plastic_shear_strain must be given"),
         "slip across a band of shear at each row, growing from 0: 2 h times the plastic shear strain, h the element's extent",
     ),
     number(
@@ -37,7 +38,7 @@ const COLUMNS: &[Parameter] = &[
         STRAINS[0],
         Dimension::NONE,
         Need::Optional("plastic_shear_displacement must be given"),
-        "accumulated plastic shear strain at each row, growing from 0; without a length",
+        "accumulated plastic shear strain at each row, growing from 0; beside relaxation_time",
     ),
     number(
         STRAINS[1],
@@ -67,8 +68,9 @@ pub(super) const PARAMETERS: &[Parameter] = &[
         name: SOFTENING,
         kind: Kind::Table(COLUMNS),
         need: Need::Optional("strength stays"),
-        doc: "strength against plastic displacement: columns with a number a row, straight lines between rows",
+        doc: "strength against plastic displacement or strain: columns with a number a row, straight lines between rows",
     },
+    RELAXATION_TIME,
 ];
 
 /// The table of softening where there is one, as rows; `Some(None)` where there is none, `None` where it is wrong.
@@ -184,6 +186,8 @@ pub(super) fn read(values: &Values) -> Result<MohrCoulomb, Vec<BadParameter>> {
         let ([cohesion, friction, dilation], tensile) = (envelope?, tensile?);
         let peak = Row { shear: 0.0, tension: None, cohesion, friction, dilation, tensile };
         let softening = read_softening(&mut reading, peak)?;
+        let slips = softening.as_ref().is_some_and(|softening| softening.measure == Measure::Displacement);
+        let relaxation = reading.relaxation(slips)?;
         let moduli = moduli?;
         let size_limit =
             softening.as_ref().map_or(f64::INFINITY, |softening| softening.size_limit(moduli.young()));
@@ -193,6 +197,7 @@ pub(super) fn read(values: &Values) -> Result<MohrCoulomb, Vec<BadParameter>> {
             peak: Strength::new(slope(friction), cohesion, tensile, slope(dilation)),
             softening,
             size_limit,
+            relaxation,
         })
     };
     let law = build();

@@ -122,9 +122,14 @@ impl Softening {
 
     /// See [`slip::size_limit`]: infinite where softening has no length.
     pub fn size_limit(&self, young: f64) -> f64 {
-        if self.measure == Measure::Strain {
-            return f64::INFINITY;
+        match self.measure {
+            Measure::Strain => f64::INFINITY,
+            Measure::Displacement => slip::size_limit(young, self.stages().into_iter()),
         }
+    }
+
+    /// What strength loses from row to row.
+    pub fn stages(&self) -> Vec<Fall> {
         let uniaxial = |row: &Row| 2.0 * row.cohesion * slope_of(row.friction).sqrt();
         let confined = uniaxial(&self.first);
         let axial = |row: &Row| {
@@ -139,17 +144,18 @@ impl Softening {
             next.tensile += step.tensile;
             rows.push(next);
         }
-        let falls = rows.windows(2).zip(&*self.steps).map(|(pair, step)| {
+        let fall = |(pair, step): (&[Row], &Step)| {
             let (from, to) = (axial(&pair[0]), axial(&pair[1]));
             Fall {
+                slope: slope_of(pair[0].friction),
                 shear: (0..2).map(|k| from[k] - to[k]).fold(0.0, f64::max),
                 slip: 1.0 / step.shear[1],
                 flow: slope_of(pair[0].dilation.max(pair[1].dilation)),
                 tension: (step.tension[1] > 0.0)
                     .then(|| [pair[0].tensile - pair[1].tensile, 1.0 / step.tension[1]]),
             }
-        });
-        slip::size_limit(young, falls)
+        };
+        rows.windows(2).zip(&*self.steps).map(fall).collect()
     }
 
     /// Strength after these measures of shear and of tension.

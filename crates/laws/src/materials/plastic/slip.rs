@@ -154,7 +154,9 @@ pub(in crate::materials) fn advanced<L: Lane>(
 pub(in crate::materials) struct Fall {
     /// What the axial strength in triaxial compression loses \[Pa\], at whatever confinement it loses most.
     pub shear: f64,
-    /// Slip \[m\] over which it does.
+    /// k of the strength before.
+    pub slope: f64,
+    /// Slip \[m\], or plastic shear strain, over which it does.
     pub slip: f64,
     /// M of the flow, the larger of both states.
     pub flow: f64,
@@ -179,10 +181,10 @@ pub(in crate::materials) fn size_limit(young: f64, falls: impl Iterator<Item = F
     })
 }
 
-/// What is said of softening over strain.
+/// What is said of softening over strain without a relaxation time.
 pub(in crate::materials) fn without_length(key: &str) -> String {
     format!(
-        "{key} over plastic strain has no length: slip and dissipated energy depend on the element size. Give \
-         `plastic_shear_displacement` instead, 2 h times the strain in elements of the extent h it was chosen for."
+        "{key} over plastic strain has no length: the slip depends on the element size. Add relaxation_time = \"1 ms\" for \
+         earthquakes, or give `plastic_shear_displacement` for stages."
     )
 }
