@@ -18,6 +18,7 @@
 
 #![forbid(unsafe_code)]
 
+mod banded;
 mod bessel;
 mod bolted;
 pub mod box_size;
@@ -41,6 +42,7 @@ pub mod reflection;
 mod rock;
 mod scattering;
 mod select;
+mod sheet;
 mod simulation;
 pub mod specimen;
 mod staged;
