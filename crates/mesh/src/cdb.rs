@@ -6,8 +6,9 @@
 //!
 //! The blocks are those of the Programmer's Reference (chapter Coded Database File Commands). Checked once,
 //! beside mapdl-archive, on archives that ANSYS wrote with SOLID185, SOLID186 and SOLID187 in three formats of columns,
-//! which are not kept here. Solids in blocks of other keys (COMPACT, or none) are refused, other elements there passed
-//! over with a count; so are archives of single commands (UNBLOCKED).
+//! which are not kept here. A block with the key COMPACT has elements of one line, whose type and material TYPE and MAT set.
+//! Solids in blocks without a key are refused, other elements there passed over with a count. Archives of single commands
+//! (UNBLOCKED) and files of parameters alone are refused.
 
 mod columns;
 mod types;
@@ -19,9 +20,9 @@ use crate::Shape;
 use crate::assembly::{Draft, Numbering};
 use crate::fault::Fault;
 use crate::format::{Format, Outcome};
-use crate::input::{Input, text, whole};
+use crate::input::{Input, fortran_real, text, whole};
 use crate::note::Note;
-use columns::{Columns, integer, number};
+use columns::{Columns, integer};
 use types::{Family, family};
 
 /// ANSYS archives, for [`crate::read::read`].
@@ -32,7 +33,8 @@ const EXPORT: &str = "write it with CDWRITE,DB,NAME,cdb";
 
 /// Whether one of the first lines is a command of such files.
 fn is_cdb(head: &[u8]) -> bool {
-    const COMMANDS: [&[u8]; 5] = [b"NBLOCK,", b"EBLOCK,", b"ETBLOCK,", b"/PREP7", b"/COM,ANSYS"];
+    const COMMANDS: [&[u8]; 8] =
+        [b"NBLOCK,", b"EBLOCK,", b"ETBLOCK,", b"/PREP7", b"/COM,ANSYS", b"*SET,", b"*DIM,", b"*PREAD,"];
     let starts =
         |line: &[u8], word: &&[u8]| line.len() >= word.len() && line[..word.len()].eq_ignore_ascii_case(word);
     head.split(|&b| b == b'\n').any(|line| COMMANDS.iter().any(|word| starts(line.trim_ascii(), word)))
@@ -47,10 +49,13 @@ struct Archive {
     materials: Vec<u32>,
     lines: Vec<u32>,
     components: Vec<Component>,
-    /// The type that TYPE set last.
+    /// The type and the material that TYPE and MAT set last.
     current: Option<u64>,
+    material: u64,
     /// Whether nodes or elements stand there as single commands.
     unblocked: bool,
+    /// Whether parameters are set.
+    parameters: bool,
 }
 
 struct Component {
@@ -64,30 +69,41 @@ fn parse(input: &mut Input, _: &Path) -> Outcome {
     let mut archive = Archive::default();
     while input.advance()? {
         let text = text(input.text());
-        let fields: Vec<&str> = text.split(',').map(str::trim).collect();
-        match fields[0].to_ascii_uppercase().as_str() {
-            "NBLOCK" => archive.nodes(input)?,
-            "EBLOCK" => archive.elements(input, &fields)?,
-            "ETBLOCK" => archive.type_block(input)?,
-            "ET" => {
-                if let (Some(number), Some(name)) =
-                    (fields.get(1).and_then(|n| whole(n.as_bytes())), fields.get(2))
-                {
-                    // `$` begins another command on the line.
-                    let name = name.split(|c: char| c == '$' || c.is_whitespace()).next();
-                    archive.types.insert(number, name.unwrap_or_default().to_owned());
-                }
-            }
-            "TYPE" => archive.current = fields.get(1).and_then(|n| whole(n.as_bytes())),
-            "CMBLOCK" => archive.component(input, &fields)?,
-            "N" | "EN" | "E" => archive.unblocked = true,
-            _ => {}
+        // `!` begins a comment, `$` another command on the line.
+        for command in text.split('!').next().unwrap_or_default().split('$') {
+            archive.command(input, &command.split(',').map(str::trim).collect::<Vec<_>>())?;
         }
     }
     archive.assemble()?.finish("select the solid elements and write them again")
 }
 
 impl Archive {
+    /// One command, with the block that follows it.
+    fn command(&mut self, input: &mut Input, fields: &[&str]) -> Result<(), Fault> {
+        let number = |k: usize| fields.get(k).and_then(|n| whole(n.as_bytes()));
+        match fields[0].to_ascii_uppercase().as_str() {
+            "NBLOCK" => self.nodes(input)?,
+            "EBLOCK" => match fields.get(2) {
+                Some(key) if key.eq_ignore_ascii_case("COMPACT") => self.compact(input)?,
+                _ => self.elements(input, fields)?,
+            },
+            "ETBLOCK" => self.type_block(input)?,
+            "ET" => {
+                if let (Some(number), Some(name)) = (number(1), fields.get(2)) {
+                    let name = name.split_whitespace().next();
+                    self.types.insert(number, name.unwrap_or_default().to_owned());
+                }
+            }
+            "TYPE" => self.current = number(1),
+            "MAT" => self.material = number(1).unwrap_or(0),
+            "CMBLOCK" => self.component(input, fields)?,
+            "N" | "EN" | "E" => self.unblocked = true,
+            "*SET" | "*DIM" | "*PREAD" => self.parameters = true,
+            _ => {}
+        }
+        Ok(())
+    }
+
     fn nodes(&mut self, input: &mut Input) -> Result<(), Fault> {
         let columns = Columns::read(input)?;
         loop {
@@ -103,7 +119,7 @@ impl Archive {
                 match columns.real(line, k) {
                     // Coordinates at the end that are 0 may be left out.
                     None | Some(b"") => {}
-                    Some(field) => match number(field) {
+                    Some(field) => match fortran_real(field) {
                         Some(value) => *x = value,
                         None => good = false,
                     },
@@ -179,30 +195,83 @@ impl Archive {
                     input.fault(format!("element {number} has {} nodes, {count} are announced", nodes.len()))
                 );
             }
-            let Some(shape) = self.shape(input, kind, number, nodes.len())? else { continue };
-            self.draft
-                .push_numbered(number, shape, &nodes[..shape.nodes()])
-                .map_err(|problem| Fault::at(first, problem))?;
-            self.draft.reduce(nodes.len(), shape);
-            self.materials.push(u32::try_from(material).unwrap_or(u32::MAX));
-            self.lines.push(first as u32);
+            self.element(input, [kind, number, material], &nodes, first)?;
         }
     }
 
-    /// The shape of an element of type `kind` with so many nodes; none if it is passed over.
-    fn shape(&mut self, input: &Input, kind: u64, number: u64, nodes: usize) -> Result<Option<Shape>, Fault> {
+    /// The elements of a block with the key COMPACT: a number and nodes a line; TYPE and MAT hold for all of them.
+    fn compact(&mut self, input: &mut Input) -> Result<(), Fault> {
+        let columns = Columns::read(input)?;
+        let (kind, material) = (self.current.unwrap_or(1), self.material);
+        loop {
+            input.expect("an element, or the end of the block")?;
+            if ends(input) {
+                return Ok(());
+            }
+            let line = input.whole_line();
+            let mut numbers =
+                (0..columns.integers).map_while(|k| columns.integer(line, k)).map(|field| whole(field));
+            let number = numbers.next().flatten();
+            let nodes: Option<Vec<u64>> = numbers.collect();
+            let (Some(number), Some(nodes)) = (number, nodes) else {
+                return Err(input.misplaced(line, "an element's number and its nodes"));
+            };
+            let brick = self.types.get(&kind).is_some_and(|name| family(name) == Family::Brick);
+            if brick && nodes.len() > 8 && nodes.len() + 1 == columns.integers {
+                return Err(input.fault(format!(
+                    "element {number} of a COMPACT block fills its line; whether it goes on cannot be told; {EXPORT}"
+                )));
+            }
+            self.element(input, [kind, number, material], &nodes, input.line())?;
+        }
+    }
+
+    /// Adds an element, given its type, number and material, and the line where it begins.
+    fn element(
+        &mut self,
+        input: &Input,
+        [kind, number, material]: [u64; 3],
+        nodes: &[u64],
+        line: usize,
+    ) -> Result<(), Fault> {
+        let Some((shape, full)) = self.shape(input, kind, number, nodes)? else { return Ok(()) };
+        self.draft
+            .push_numbered(number, shape, &nodes[..shape.nodes()])
+            .map_err(|problem| Fault::at(line, problem))?;
+        self.draft.reduce(full, shape);
+        self.materials.push(u32::try_from(material).unwrap_or(u32::MAX));
+        self.lines.push(line as u32);
+        Ok(())
+    }
+
+    /// The shape of an element of type `kind` with these nodes, and the number of nodes that it has in full: midside nodes
+    /// at the end may be absent. None if it is passed over.
+    fn shape(
+        &mut self,
+        input: &Input,
+        kind: u64,
+        number: u64,
+        nodes: &[u64],
+    ) -> Result<Option<(Shape, usize)>, Fault> {
         let Some(name) = self.types.get(&kind) else {
             let problem =
                 format!("element {number} has type {kind}, which no ET before it defines; {EXPORT}");
             return Err(input.fault(problem));
         };
-        match (family(name), nodes) {
+        let full = types::nodes(name);
+        // A tetrahedron as a brick with repeated nodes.
+        let repeated = nodes.len() >= 8 && nodes[4..8].iter().all(|&n| n == nodes[4]);
+        match (family(name), nodes.len()) {
             (Family::Other, _) => {
                 self.draft.skip(&format!("elements of ANSYS's type {name}"), 1);
                 Ok(None)
             }
-            (Family::Tetrahedron, 4 | 10) | (Family::Brick, 4 | 10) => Ok(Some(Shape::Tet4)),
-            (Family::Brick | Family::Tetrahedron, 8 | 20) => Ok(Some(Shape::Hex8)),
+            (Family::Tetrahedron, 8 | 20) if repeated => Ok(Some((Shape::Hex8, nodes.len()))),
+            (Family::Brick | Family::Tetrahedron, 4) => Ok(Some((Shape::Tet4, 4))),
+            (Family::Brick, count @ (8 | 20)) => Ok(Some((Shape::Hex8, count))),
+            (Family::Tetrahedron, 10) => Ok(Some((Shape::Tet4, 10))),
+            (Family::Tetrahedron, 5..10) if full == 10 => Ok(Some((Shape::Tet4, 10))),
+            (Family::Brick, 9..20) if full == 20 => Ok(Some((Shape::Hex8, 20))),
             (_, count) => {
                 Err(input.fault(format!("element {number} of type {name} has {count} nodes; {EXPORT}")))
             }
@@ -246,7 +315,12 @@ impl Archive {
     }
 
     fn assemble(self) -> Result<Draft, Fault> {
-        let Archive { mut draft, materials, lines, components, unblocked, .. } = self;
+        let Archive { mut draft, materials, lines, components, unblocked, parameters, .. } = self;
+        if parameters && !unblocked && draft.mesh.nodes.is_empty() && draft.mesh.elements.is_empty() {
+            return Err(Fault::whole(format!(
+                "this ANSYS file holds parameters, but neither nodes nor elements; {EXPORT}"
+            )));
+        }
         if unblocked && (draft.mesh.nodes.is_empty() || draft.mesh.elements.is_empty()) {
             return Err(Fault::whole(format!("nodes or elements are single commands, not blocks; {EXPORT}")));
         }

@@ -3,6 +3,8 @@
 
 use std::io::{ErrorKind, Read, Seek};
 
+use tremolite_files::text::Encoding;
+
 use crate::fault::Fault;
 
 /// Bytes asked for at a time.
@@ -37,6 +39,10 @@ pub(crate) struct Input<'a> {
     ended: bool,
     /// Whether a comma separates fields as a blank does.
     pub commas: bool,
+    /// The encoding that the user states; files that this one includes have the same.
+    pub encoding: Option<&'static Encoding>,
+    /// The encoding that was assumed, here or in an included file.
+    pub assumed: Option<&'static str>,
 }
 
 impl<'a> Input<'a> {
@@ -55,7 +61,15 @@ impl<'a> Input<'a> {
             raw: false,
             ended: false,
             commas: false,
+            encoding: None,
+            assumed: None,
         }
+    }
+
+    /// With the encoding that the user states.
+    pub(crate) fn declared(mut self, encoding: Option<&'static Encoding>) -> Self {
+        self.encoding = encoding;
+        self
     }
 
     /// The file's beginning, without a byte order mark; only before anything else is taken.
@@ -284,6 +298,14 @@ pub(crate) fn real(field: &[u8]) -> Option<f64> {
         parse(&field)
     });
     number.filter(|x| x.is_finite())
+}
+
+/// A real number; Fortran may leave the E out before an exponent of three digits.
+pub(crate) fn fortran_real(field: &[u8]) -> Option<f64> {
+    real(field).or_else(|| {
+        let sign = field.iter().skip(1).position(|b| matches!(b, b'+' | b'-'))? + 1;
+        real(&[&field[..sign], b"e", &field[sign..]].concat())
+    })
 }
 
 pub(crate) fn parse<T: std::str::FromStr>(field: &[u8]) -> Option<T> {

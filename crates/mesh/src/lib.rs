@@ -5,12 +5,15 @@
 pub mod abaqus;
 mod assembly;
 pub mod boxes;
+mod cards;
 pub mod cavern;
 pub mod cdb;
 mod coincident;
+mod content;
 pub mod cut;
 pub mod f3grid;
 mod fault;
+mod foreign;
 mod format;
 pub mod gmsh;
 pub mod grading;

@@ -26,6 +26,10 @@ pub enum Note {
     Renumbered,
     /// The file holds `count` of something that a mesh does not, such as `*TIE`.
     NotTaken { what: String, count: usize },
+    /// The node set `set` names `count` nodes that the file does not define, the first of them `first`.
+    AbsentNodes { set: String, count: usize, first: u64 },
+    /// The text is not UTF-8 and was read in this encoding.
+    Assumed { encoding: String },
     /// The surface `name` has `count` faces inside the mesh for one side only; the file written names both.
     BothSides { name: String, count: usize },
     /// The cut below bench `bench` of a generated cavern lies `to` \[m\] above its floor, at a gallery's floor or roof,
@@ -77,6 +81,18 @@ impl fmt::Display for Note {
                 write!(f, "instances use the same numbers; nodes and elements are numbered anew from 1")
             }
             Note::NotTaken { what, count } => write!(f, "{count} {what} were not taken over"),
+            Note::AbsentNodes { set, count, first } => {
+                write!(
+                    f,
+                    "node set `{set}` names {count} nodes that the file does not define, among them {first}"
+                )
+            }
+            Note::Assumed { encoding } => {
+                write!(
+                    f,
+                    "the text is not UTF-8 and was read as {encoding}; if names are wrong, write it in UTF-8"
+                )
+            }
             Note::BothSides { name, count } => write!(
                 f,
                 "surface `{name}` has {count} faces inside the mesh for one side only; this format names both sides"

@@ -4,9 +4,13 @@ use std::fs::File;
 use std::io::{self, Cursor};
 use std::path::{Path, PathBuf};
 
+use tremolite_files::text::Encoding;
+
 use crate::Mesh;
+use crate::content;
 use crate::fault::Fault;
-use crate::input::Input;
+use crate::foreign::foreign;
+use crate::input::Source;
 use crate::note::Note;
 
 pub use crate::format::Format;
@@ -50,7 +54,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError> {
     read_with_notes(path).map(|(mesh, _)| mesh)
 }
 
-/// Reads a mesh file, and says what was done to it on the way.
+/// Reads a mesh file, and says what was done to it on the way. A file packed by gzip is unpacked.
 ///
 /// Whatever the format, every element of the result has a positive Jacobian (one numbered in mirror
 /// image is renumbered), every node belongs to an element, and every element to a group; no group is empty.
@@ -61,9 +65,20 @@ pub fn read(path: impl AsRef<Path>) -> Result<Mesh, ReadError> {
 /// If the file cannot be opened, is of no known kind, or its contents cannot be used: the message names
 /// the file, where there is one the line, and the way out.
 pub fn read_with_notes(path: impl AsRef<Path>) -> Result<(Mesh, Vec<Note>), ReadError> {
+    read_encoded(path, None)
+}
+
+/// As [`read_with_notes`], where the text is in an encoding that the user states, unless a byte order mark states another.
+///
+/// # Errors
+/// As [`read_with_notes`], and if the text is not in that encoding.
+pub fn read_encoded(
+    path: impl AsRef<Path>,
+    encoding: Option<&'static Encoding>,
+) -> Result<(Mesh, Vec<Note>), ReadError> {
     let path = path.as_ref();
     let file = File::open(path).map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
-    read_from(path, Input::new(file))
+    read_from(path, file, encoding)
 }
 
 /// As [`read_with_notes`], from content already in memory; `path` serves for messages, and for files that the content refers to.
@@ -71,7 +86,7 @@ pub fn read_with_notes(path: impl AsRef<Path>) -> Result<(Mesh, Vec<Note>), Read
 /// # Errors
 /// [`ReadError::Unknown`], [`ReadError::Line`], [`ReadError::File`].
 pub fn read_bytes(path: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<Note>), ReadError> {
-    read_from(path, Input::new(Cursor::new(bytes)))
+    read_from(path, Cursor::new(bytes), None)
 }
 
 /// The format that content which begins so is read as.
@@ -79,7 +94,11 @@ pub fn recognised(head: &[u8]) -> Option<&'static Format> {
     FORMATS.iter().find(|format| (format.recognises)(head))
 }
 
-fn read_from(path: &Path, mut input: Input) -> Result<(Mesh, Vec<Note>), ReadError> {
+fn read_from(
+    path: &Path,
+    source: impl Source,
+    encoding: Option<&'static Encoding>,
+) -> Result<(Mesh, Vec<Note>), ReadError> {
     let place = |Fault { file, line, problem }| {
         let path = file.unwrap_or_else(|| path.to_owned());
         match line {
@@ -87,11 +106,17 @@ fn read_from(path: &Path, mut input: Input) -> Result<(Mesh, Vec<Note>), ReadErr
             None => ReadError::File { path, problem },
         }
     };
+    let mut input = content::open(source, encoding).map_err(place)?;
     let head = input.head().map_err(place)?;
     let Some(format) = recognised(head) else {
-        return Err(ReadError::Unknown { path: path.to_owned() });
+        return Err(match foreign(head) {
+            Some(kind) => place(Fault::whole(kind.problem())),
+            None => ReadError::Unknown { path: path.to_owned() },
+        });
     };
-    (format.parse)(&mut input, path).map_err(place)
+    let (mesh, mut notes) = (format.parse)(&mut input, path).map_err(place)?;
+    notes.extend(input.assumed.map(|encoding| Note::Assumed { encoding: encoding.to_owned() }));
+    Ok((mesh, notes))
 }
 
 #[cfg(test)]

@@ -25,10 +25,17 @@ pub(super) fn assemble(mut model: Model) -> Result<Draft, Fault> {
     let mut draft = std::mem::take(&mut model.draft);
     draft.stray = Stray::Skipped;
     let Model { root, parts, assembly, instances, .. } = &mut model;
-    if instances.is_empty()
-        && let Some(part) = parts.iter().find(|p| !p.solids.is_empty())
-    {
-        return Err(Fault::whole(format!("part `{}` has no instance; put it into the assembly", part.key)));
+    if instances.is_empty() {
+        let solid: Vec<usize> = (0..parts.len()).filter(|&k| !parts[k].solids.is_empty()).collect();
+        match solid.as_slice() {
+            [] => {}
+            // A single part without an assembly is the model.
+            &[only] if root.nodes.is_empty() && assembly.nodes.is_empty() => *root = parts.swap_remove(only),
+            &[first, ..] => {
+                let key = &parts[first].key;
+                return Err(Fault::whole(format!("part `{key}` has no instance; put it into the assembly")));
+            }
+        }
     }
     let mut spots = vec![place(&mut draft, root, None, true)?, place(&mut draft, assembly, None, true)?];
     let mut part_of = Vec::new();
@@ -155,6 +162,10 @@ impl Assembly<'_> {
     fn name(&self, draft: &mut Draft) -> Result<(), Fault> {
         let elsets = self.all(|part| &part.elsets, |at, set| self.set(at, set, Of::Elements))?;
         let nsets = self.all(|part| &part.nsets, |at, set| self.set(at, set, Of::Nodes))?;
+        draft.notes.extend(nsets.iter().filter_map(|Named { name, picked, .. }| {
+            let &first = picked.absent.first()?;
+            Some(Note::AbsentNodes { set: name.clone(), count: picked.absent.len(), first })
+        }));
         let mut exterior = None;
         let mut surfaces = Vec::new();
         for (at, placed) in self.placed.iter().enumerate() {

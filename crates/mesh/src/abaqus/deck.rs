@@ -1,13 +1,11 @@
-//! The lines of an input file and of those that it includes: keyword lines, taken apart, and data lines.
+//! The lines of an input file: keyword lines, taken apart, and data lines.
 
-use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::ops::Deref;
+use std::path::Path;
 
+use crate::cards;
 use crate::fault::Fault;
-use crate::input::{Input, shown, whole};
-
-/// Files open at a time; more is a mistake.
-const DEEPEST: usize = 20;
+use crate::input::Input;
 
 /// What the current line is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,48 +79,39 @@ fn split_outside_quotes(text: &str) -> Vec<&str> {
     .collect()
 }
 
-struct Included {
-    path: PathBuf,
-    /// Without links, to know a file that includes itself.
-    real: PathBuf,
-    input: Input<'static>,
-}
-
 /// The lines, includes followed.
 pub(super) struct Deck<'i, 'a> {
-    root: &'i mut Input<'a>,
-    path: PathBuf,
-    included: Vec<Included>,
-    text: Vec<u8>,
+    cards: cards::Deck<'i, 'a>,
     pub keyword: Keyword,
+}
+
+impl<'i, 'a> Deref for Deck<'i, 'a> {
+    type Target = cards::Deck<'i, 'a>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.cards
+    }
 }
 
 impl<'i, 'a> Deck<'i, 'a> {
     pub(super) fn new(root: &'i mut Input<'a>, path: &Path) -> Self {
-        Deck {
-            root,
-            path: path.to_owned(),
-            included: Vec::new(),
-            text: Vec::new(),
-            keyword: Keyword::default(),
-        }
+        Deck { cards: cards::Deck::new(root, path), keyword: Keyword::default() }
     }
 
     /// The next line that is no comment; none at the end. A keyword line comes with its continuations.
     pub(super) fn advance(&mut self) -> Result<Option<LineKind>, Fault> {
         loop {
-            if !self.line()? {
+            if !self.next_card()? {
                 return Ok(None);
             }
-            if !self.text.starts_with(b"*") {
+            if !self.text().starts_with(b"*") {
                 return Ok(Some(LineKind::Data));
             }
-            let mut all = std::mem::take(&mut self.text);
-            while all.ends_with(b",") && self.line()? {
-                all.extend_from_slice(&self.text);
+            let mut all = self.text().to_vec();
+            while all.ends_with(b",") && self.next_card()? {
+                all.extend_from_slice(self.text());
             }
             self.keyword = Keyword::parse(&all);
-            self.text = all;
             match self.keyword.name.as_str() {
                 "INCLUDE" => self.open()?,
                 "NODE" | "ELEMENT" | "NSET" | "ELSET" if self.keyword.has("INPUT") => {
@@ -134,73 +123,36 @@ impl<'i, 'a> Deck<'i, 'a> {
         }
     }
 
-    /// Copies the next line that is no comment into `text`.
-    fn line(&mut self) -> Result<bool, Fault> {
-        loop {
-            let more = match self.included.last_mut() {
-                Some(file) => {
-                    let more = file.input.advance();
-                    copy(&file.input, &mut self.text);
-                    more
-                }
-                None => {
-                    let more = self.root.advance();
-                    copy(self.root, &mut self.text);
-                    more
-                }
-            };
-            match more.map_err(|fault| self.placed(fault))? {
-                true if self.text.starts_with(b"**") => {}
-                true => return Ok(true),
-                false if self.included.pop().is_some() => {}
-                false => return Ok(false),
+    /// Goes to the next line that is neither blank nor a comment.
+    fn next_card(&mut self) -> Result<bool, Fault> {
+        while self.cards.advance()? {
+            if !self.text().is_empty() && !self.text().starts_with(b"**") {
+                return Ok(true);
             }
         }
+        Ok(false)
     }
 
-    /// Goes on in the file that the keyword's INPUT names, relative to the one that names it.
+    fn text(&self) -> &[u8] {
+        self.cards.line().trim_ascii_start()
+    }
+
+    /// Goes on in the file that the keyword's INPUT names.
     fn open(&mut self) -> Result<(), Fault> {
         let Some(name) = self.keyword.get("INPUT").filter(|name| !name.is_empty()) else {
             return Err(self.fault("INPUT with a file's name is missing"));
         };
-        let name = name.trim_matches('"');
-        let from = self.included.last().map_or(&self.path, |file| &file.path);
-        let path = from.parent().unwrap_or(Path::new("")).join(name);
-        let absent = |e: std::io::Error| {
-            self.fault(format!(
-                "the included file {} cannot be opened ({e}); put it beside this file, or remove the line",
-                path.display()
-            ))
-        };
-        let real = path.canonicalize().map_err(absent)?;
-        let root = self.path.canonicalize().ok();
-        if self.included.iter().any(|file| file.real == real) || root.as_ref() == Some(&real) {
-            return Err(self.fault(format!("{} includes itself; remove the line", path.display())));
-        }
-        if self.included.len() >= DEEPEST {
-            return Err(
-                self.fault(format!("more than {DEEPEST} files include one another; put them into fewer"))
-            );
-        }
-        let file = File::open(&path).map_err(absent)?;
-        self.included.push(Included { path, real, input: Input::new(file) });
-        Ok(())
+        self.cards.include(name.trim_matches('"'))
     }
 
-    /// The fields of the current data line, without blanks; a comma at the end counts for nothing.
-    pub(super) fn fields(&self) -> impl Iterator<Item = &[u8]> {
-        let text = self.text.strip_suffix(b",").unwrap_or(&self.text);
-        text.split(|&b| b == b',').map(<[u8]>::trim_ascii)
+    /// The fields of the current data line; a comma at the end counts for nothing.
+    pub(super) fn fields(&self) -> cards::Fields<'_> {
+        cards::fields(self.text().strip_suffix(b",").unwrap_or(self.text()), &[])
     }
 
     /// Whether the data line goes on in the next one.
     pub(super) fn goes_on(&self) -> bool {
-        self.text.ends_with(b",")
-    }
-
-    /// A field as a whole number.
-    pub(super) fn number(&self, field: &[u8], what: &str) -> Result<u64, Fault> {
-        whole(field).ok_or_else(|| self.misplaced(field, what))
+        self.text().ends_with(b",")
     }
 
     /// A field as a finite real number; an empty one is 0.
@@ -210,27 +162,4 @@ impl<'i, 'a> Deck<'i, 'a> {
         }
         crate::input::real(field).ok_or_else(|| self.misplaced(field, what))
     }
-
-    pub(super) fn misplaced(&self, field: &[u8], what: &str) -> Fault {
-        self.fault(format!("`{}` stands where {what} should", shown(field)))
-    }
-
-    /// Number of the current line, in whichever file it is.
-    pub(super) fn line_number(&self) -> usize {
-        self.included.last().map_or(self.root.line(), |file| file.input.line())
-    }
-
-    /// A fault in the current line.
-    pub(super) fn fault(&self, problem: impl Into<String>) -> Fault {
-        self.placed(Fault::at(self.line_number(), problem))
-    }
-
-    fn placed(&self, fault: Fault) -> Fault {
-        Fault { file: self.included.last().map(|file| file.path.clone()), ..fault }
-    }
-}
-
-fn copy(input: &Input, text: &mut Vec<u8>) {
-    text.clear();
-    text.extend_from_slice(input.text());
 }

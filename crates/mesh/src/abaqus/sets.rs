@@ -33,6 +33,24 @@ pub(super) struct Picked {
     pub flats: Vec<(usize, u32)>,
     /// Indices of nodes in the mesh.
     pub nodes: Vec<u32>,
+    /// Numbers of nodes that the file does not define.
+    pub absent: Vec<u64>,
+}
+
+impl Picked {
+    /// Notes a node that is not there.
+    ///
+    /// # Errors
+    /// If it is an element.
+    fn absent(&mut self, of: Of, number: u64, line: usize) -> Result<(), Fault> {
+        if of == Of::Nodes {
+            self.absent.push(number);
+            return Ok(());
+        }
+        let problem =
+            format!("element {number} is not there; take it out of the set, or write the whole mesh");
+        Err(Fault::at(line, problem))
+    }
 }
 
 /// All parts at their places.
@@ -75,24 +93,22 @@ impl Assembly<'_> {
         let mut seen: HashSet<(usize, &str)> = HashSet::new();
         while let Some((at, entry)) = open.pop() {
             let scope = self.scope(at, entry.instance.as_deref());
-            let absent = |number: u64, line: usize| {
-                let what = if of == Of::Nodes { "node" } else { "element" };
-                let problem =
-                    format!("{what} {number} is not there; take it out of the set, or write the whole mesh");
-                Fault::at(line, problem)
-            };
             let key = match &entry.target {
                 Target::Set(key) => key,
                 &Target::Range(first, last, step) => {
                     if !self.pick_range(&scope, [first, last, step], of, picked) {
-                        return Err(absent(first, entry.line));
+                        picked.absent(of, first, entry.line)?;
                     }
                     continue;
                 }
                 Target::Runs(runs) => {
                     for run in runs {
-                        if !self.pick_range(&scope, [run.first, run.last, 1], of, picked) {
-                            return Err(absent(run.first, run.line as usize));
+                        let found = self.pick_range(&scope, [run.first, run.last, 1], of, picked);
+                        let is_there = |n| scope.iter().any(|&i| self.placed[i].nodes.index(n).is_some());
+                        if of == Of::Nodes {
+                            picked.absent.extend((run.first..=run.last).filter(|&n| !is_there(n)));
+                        } else if !found {
+                            picked.absent(of, run.first, run.line as usize)?;
                         }
                     }
                     continue;

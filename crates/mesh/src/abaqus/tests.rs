@@ -182,7 +182,6 @@ fn what_cannot_be_used_is_refused_with_a_way_out() {
         ("rock, s6", "rock, s7", "rock, s7", "`S7` is no face of a hex8; faces are S1 to S6"),
         ("rock, s6", "stone, s6", "stone", "there is no set `STONE`"),
         (" both, 90,", " both, 91,", " both, 91", "element 91 is not there"),
-        ("11\n*Nset", "77\n*Nset", "77", "node 77 is not there"),
         ("90, 2, 13, 3", "90, 2, 77, 3", "", "element 90 uses node 77, which is not there"),
         ("90, 2, 13, 3", "80, 2, 13, 3", "", "there are two elements 80"),
         ("11, 1, 1, 2", "12, 1, 1, 2", "", "there are two nodes 12"),
@@ -207,7 +206,8 @@ fn what_cannot_be_used_is_refused_with_a_way_out() {
     let (line, problem) = fault(&ASSEMBLED.replace("part=block", "part=stone"));
     assert!(line == Some(22) && problem.contains("there is no part `STONE`"), "{problem}");
     let alone = ASSEMBLED.split("*Assembly").next().unwrap();
-    assert!(fault(alone).1.contains("part `BLOCK` has no instance"));
+    let two = [alone, &alone.replace("Block", "Other")].concat();
+    assert!(fault(&two).1.contains("part `BLOCK` has no instance"));
 }
 
 /// Whatever is done to a file, it is read or refused.

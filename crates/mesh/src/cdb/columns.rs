@@ -1,7 +1,7 @@
 //! Numbers in fixed columns, as Fortran formats give them.
 
 use crate::fault::Fault;
-use crate::input::{Input, parse, real};
+use crate::input::{Input, parse};
 
 /// Columns of a block: whole numbers, then real ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,14 +49,6 @@ fn cut(line: &[u8], start: usize, width: usize) -> Option<&[u8]> {
         .filter(|_| start < line.len())
 }
 
-/// A real number; Fortran may leave the E out before an exponent of three digits.
-pub(super) fn number(field: &[u8]) -> Option<f64> {
-    real(field).or_else(|| {
-        let sign = field.iter().skip(1).position(|b| matches!(b, b'+' | b'-'))? + 1;
-        real(&[&field[..sign], b"e", &field[sign..]].concat())
-    })
-}
-
 /// A whole number with a sign.
 pub(super) fn integer(field: &[u8]) -> Option<i64> {
     parse(field)
@@ -90,9 +82,5 @@ mod tests {
         );
         let reals = [0, 1, 2, 3].map(|k| columns.real(line, k));
         assert_eq!(reals, [Some(b"1.5E+00".as_slice()), Some(b"-2.5E+00"), Some(b"3"), None]);
-        assert_eq!(
-            (number(b"1.5-101"), number(b"-1.5+101"), number(b"x"), number(b"")),
-            (Some(1.5e-101), Some(-1.5e101), None, None)
-        );
     }
 }

@@ -139,7 +139,7 @@ fn what_cannot_be_used_is_refused_with_a_way_out() {
         ),
         (
             "EBLOCK,10,,,1",
-            "TYPE,1\nEBLOCK,9,COMPACT,,1",
+            "TYPE,1\nEBLOCK,9,,,1",
             Some(35),
             "of type 185 stand in a block without the key SOLID",
         ),

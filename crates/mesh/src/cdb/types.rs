@@ -29,6 +29,19 @@ pub(super) fn family(name: &str) -> Family {
     }
 }
 
+/// The number of nodes of a solid of a type.
+pub(super) fn nodes(name: &str) -> usize {
+    const LINEAR: usize = 15;
+    let number = name.trim_start_matches(|c: char| c.is_ascii_alphabetic()).parse().unwrap_or(0);
+    match family(name) {
+        Family::Brick if BRICKS[..LINEAR].contains(&number) => 8,
+        Family::Brick => 20,
+        Family::Tetrahedron if number == 285 => 4,
+        Family::Tetrahedron => 10,
+        Family::Other => 0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -40,6 +53,10 @@ mod tests {
             (Family::Brick, Family::Brick, Family::Brick)
         );
         assert_eq!((family("187"), family("SOLID285")), (Family::Tetrahedron, Family::Tetrahedron));
+        assert_eq!(
+            ["185", "SOLID278", "90", "SOLID186", "187", "SOLID285"].map(nodes),
+            [8, 8, 20, 20, 10, 4]
+        );
         assert_eq!(
             (family("SHELL181"), family("174"), family("")),
             (Family::Other, Family::Other, Family::Other)

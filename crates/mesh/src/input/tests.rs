@@ -70,3 +70,20 @@ fn text_that_is_not_utf_8_is_latin_1() {
     assert_eq!((text("Körper".as_bytes()), text(b"K\xf6rper")), ("Körper".to_owned(), "Körper".to_owned()));
     assert_ne!(text(b"\xe4"), text(b"\xf6"));
 }
+
+#[test]
+fn fortran_leaves_out_the_letter_of_an_exponent() {
+    for (text, value) in [
+        ("1.5-101", 1.5e-101),
+        ("-1.5+101", -1.5e101),
+        ("1.5-3", 1.5e-3),
+        ("-.5+2", -50.0),
+        ("2.5D-1", 0.25),
+        ("7.E+2", 700.0),
+    ] {
+        assert_eq!(fortran_real(text.as_bytes()), Some(value), "{text}");
+    }
+    for wrong in ["", "x", "1.5-", "1.5-3-2", "-", "1e400"] {
+        assert_eq!(fortran_real(wrong.as_bytes()), None, "{wrong}");
+    }
+}
