@@ -93,6 +93,42 @@ impl Draft {
         Ok(())
     }
 
+    /// Puts indices in the place of all node numbers.
+    ///
+    /// # Errors
+    /// If two nodes have the same number, or an element uses a node that is not there.
+    pub(crate) fn connect(&mut self) -> Result<(), Fault> {
+        let nodes = Numbering::new(&self.mesh.node_ids)
+            .map_err(|number| Fault::whole(format!("there are two nodes {number}; renumber them")))?;
+        self.resolve(0, &nodes).map_err(|(e, node)| {
+            let element = self.mesh.element_ids[e];
+            let problem = format!("element {element} uses node {node}, which is not there");
+            Fault::whole(format!("{problem}; write the whole mesh again"))
+        })
+    }
+
+    /// Makes a group of the elements of each number, by its name, else `kind` and the number. Where two numbers have the
+    /// same name, the number stands behind it.
+    pub(crate) fn group_by_number(&mut self, of: &[u64], names: &BTreeMap<u64, String>, kind: &str) {
+        let mut lists: BTreeMap<u64, Vec<u32>> = BTreeMap::new();
+        for (element, &number) in (0..).zip(of) {
+            lists.entry(number).or_default().push(element);
+        }
+        for (&number, list) in &lists {
+            let plain = format!("{kind} {number}");
+            self.add_group(names.get(&number).unwrap_or(&plain), number, list);
+        }
+    }
+
+    /// Adds a group, whose number stands behind its name if there is one of that name.
+    pub(crate) fn add_group(&mut self, name: &str, number: u64, list: &[u32]) {
+        let mut name = name.to_owned();
+        while self.mesh.groups.contains_key(&name) {
+            name = format!("{name} {number}");
+        }
+        self.mesh.groups.insert(name, list.to_vec());
+    }
+
     /// The mesh, and what was done to get it.
     ///
     /// # Errors

@@ -23,6 +23,7 @@ mod isoparametric;
 pub mod locate;
 pub mod merge;
 pub mod mesh;
+mod nastran;
 pub mod note;
 pub mod order;
 pub mod overburden;

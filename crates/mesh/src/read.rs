@@ -44,6 +44,7 @@ pub const FORMATS: &[Format] = &[
     crate::f3grid::FORMAT,
     crate::cdb::FORMAT,
     crate::abaqus::FORMAT,
+    crate::nastran::FORMAT,
 ];
 
 /// Reads a mesh file; as [`read_with_notes`] without the notes.
