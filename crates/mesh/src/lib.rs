@@ -11,6 +11,7 @@ pub mod cdb;
 mod coincident;
 mod content;
 pub mod cut;
+mod dyna;
 pub mod f3grid;
 mod fault;
 mod foreign;

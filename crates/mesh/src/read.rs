@@ -43,6 +43,7 @@ pub const FORMATS: &[Format] = &[
     crate::vtk::FORMAT,
     crate::f3grid::FORMAT,
     crate::cdb::FORMAT,
+    crate::dyna::FORMAT,
     crate::abaqus::FORMAT,
     crate::nastran::FORMAT,
 ];

@@ -74,6 +74,11 @@ fn a_mesh_packed_by_gzip_is_the_mesh() {
 }
 
 #[test]
+fn an_ls_dyna_file_is_not_taken_for_abaqus() {
+    assert_eq!(one_cube("ls_dyna_taken_for_abaqus.k", "part 1"), []);
+}
+
+#[test]
 fn names_in_gbk_are_read_with_a_note() {
     let wanted = Note::Assumed { encoding: "gb18030".into() };
     for (name, groups) in
