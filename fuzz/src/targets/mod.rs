@@ -37,6 +37,8 @@ pub const TARGETS: &[Target] = &[
     target("mesh-f3grid", |bytes| meshes::read("FLAC3D", bytes)),
     target("mesh-cdb", |bytes| meshes::read("ANSYS", bytes)),
     target("mesh-abaqus", |bytes| meshes::read("Abaqus", bytes)),
+    target("mesh-nastran", |bytes| meshes::read("Nastran", bytes)),
+    target("mesh-dyna", |bytes| meshes::read("LS-DYNA", bytes)),
     target("record-geonet", |bytes| records::read("GeoNet V1A, V2A", bytes)),
     target("record-cosmos", |bytes| records::read("COSMOS", bytes)),
     target("record-smc", |bytes| records::read("SMC", bytes)),
@@ -97,4 +99,9 @@ const SEEDS: &[(&str, &str)] = &[
     ("record-declared", "crates/motion/tests/data/japan_jma.csv"),
     ("record-declared", "crates/motion/tests/data/mexico_asa2_three_columns.101"),
     ("record-stations", "crates/motion/tests/data/obspy.xml"),
+    ("mesh-nastran", "crates/mesh/tests/data/shapes.bdf"),
+    ("mesh-nastran", "crates/mesh/tests/data/rounded_free.bdf"),
+    ("mesh-nastran", "crates/mesh/tests/data/rounded_order2.bdf"),
+    ("mesh-dyna", "crates/mesh/tests/data/shapes.k"),
+    ("mesh-dyna", "crates/mesh/tests/data/shapes_long.k"),
 ];
