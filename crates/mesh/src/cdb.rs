@@ -209,8 +209,7 @@ impl Archive {
                 return Ok(());
             }
             let line = input.whole_line();
-            let mut numbers =
-                (0..columns.integers).map_while(|k| columns.integer(line, k)).map(|field| whole(field));
+            let mut numbers = (0..columns.integers).map_while(|k| columns.integer(line, k)).map(whole);
             let number = numbers.next().flatten();
             let nodes: Option<Vec<u64>> = numbers.collect();
             let (Some(number), Some(nodes)) = (number, nodes) else {
