@@ -90,7 +90,7 @@ impl fmt::Display for Note {
             Note::Assumed { encoding } => {
                 write!(
                     f,
-                    "the text is not UTF-8 and was read as {encoding}; if names are wrong, write it in UTF-8"
+                    "the text is not UTF-8 and was read as {encoding}; if names are wrong, give `encoding` in [mesh.file], or write it in UTF-8"
                 )
             }
             Note::BothSides { name, count } => write!(

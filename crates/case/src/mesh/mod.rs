@@ -62,6 +62,12 @@ static FILE: Table = Table {
             "Angle by which the mesh is turned about the z axis through the origin as it is read, counter-clockwise seen from \
              above; every coordinate and stress of the case and its results, and model_x_azimuth, are in the axes after it",
         ),
+        Key::optional(
+            "encoding",
+            Kind::Text,
+            "",
+            "Encoding of the file's text, where it is neither UTF-8 nor GB18030: \"big5\", \"shift_jis\", \"windows-1252\" …",
+        ),
     ],
     choice: &[],
 };
@@ -87,6 +93,8 @@ pub struct MeshFile {
     /// Angle by which it is turned about the z axis, counter-clockwise seen from above, rad. All else in the case is meant
     /// in the axes after it.
     pub rotate: Spanned<f64>,
+    /// Encoding of the file's text, as written.
+    pub encoding: Option<Spanned<String>>,
 }
 
 impl Mesh {
@@ -121,6 +129,7 @@ impl MeshFile {
             path: Spanned::new(path.value.into(), path.span),
             unit: f.number("unit")?,
             rotate: f.number("rotate")?,
+            encoding: f.text("encoding"),
         })
     }
 }

@@ -5,6 +5,7 @@ use super::{holes, places, planes};
 use std::ops::Range;
 use std::path::Path;
 use tremolite_case::{self as case, Diagnostic, NO_FORMULA, begins_a_formula};
+use tremolite_files::text::encoding as encoding_of;
 use tremolite_mesh::boxes::{Axis, BoxSpec};
 use tremolite_mesh::cavern::{
     Cavern, CavernShape, CavernSpec, Gallery, GroundSurface, Lining, RockLayer, Shotcrete,
@@ -12,7 +13,8 @@ use tremolite_mesh::cavern::{
 use tremolite_mesh::note::Note;
 use tremolite_mesh::placement::Placement;
 use tremolite_mesh::places::Taken;
-use tremolite_mesh::{Mesh, read_with_notes, sound};
+use tremolite_mesh::read::read_encoded;
+use tremolite_mesh::{Mesh, sound};
 
 /// A mesh in metres, and what its user should know of it.
 pub struct Built {
@@ -94,9 +96,16 @@ fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<D
             (made.map_err(|e| (bricks.span.clone(), e)), &bricks.span, "")
         }
         case::Mesh::File(file) => {
-            let made = match held.mesh(&file.path.value) {
-                Some(mesh) => sound(mesh.clone()).map_err(|e| in_memory(&file.path.value, &e)),
-                None => read_with_notes(directory.join(&file.path.value)).map_err(|e| e.to_string()),
+            let (path, span) = (&file.path.value, &file.path.span);
+            let encoding = file.encoding.as_ref();
+            let encoding =
+                encoding.map(|e| encoding_of(&e.value).map_err(|problem| (e.span.clone(), problem)));
+            let made = match (held.mesh(path), encoding.transpose()) {
+                (_, Err(problem)) => Err(problem),
+                (Some(mesh), _) => sound(mesh.clone()).map_err(|e| (span.clone(), in_memory(path, &e))),
+                (None, Ok(encoding)) => {
+                    read_encoded(directory.join(path), encoding).map_err(|e| (span.clone(), e.to_string()))
+                }
             };
             let placement =
                 Placement { scale: [file.unit.value; 3], rotation: file.rotate.value, ..Placement::AS_IT_IS };
@@ -104,8 +113,7 @@ fn made(mesh: &case::Mesh, directory: &Path, held: &Inputs, problems: &mut Vec<D
                 placement.apply(&mut mesh);
                 (mesh, notes)
             });
-            let span = &file.path.span;
-            (made.map_err(|e| (span.clone(), e)), span, "change the file if this is not meant")
+            (made, span, "change the file if this is not meant")
         }
     };
     match made {
