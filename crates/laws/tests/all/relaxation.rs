@@ -64,7 +64,7 @@ const WALK: [[f64; 6]; 6] = [
 fn walk<M: Material>(law: &M, dt: f64) -> Vec<[f64; 6]> {
     let mut history = virgin::<M>();
     let step = |strain: &[f64; 6]| {
-        let (stress, new) = law.update(&Point::new(dt), *strain, history.clone());
+        let (stress, new) = law.update(&Point::new(dt), *strain, history);
         history = new;
         stress
     };

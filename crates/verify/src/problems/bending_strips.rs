@@ -81,7 +81,7 @@ fn deflection(n: usize, shape: Shape, [length, width, thickness]: Sides) -> Resu
     let across = (n / 2).min(8);
     let step = length / n as f64;
     let sheet = Sheet::new([n, across, 1], shape.cell, |[i, j], k| {
-        let sign = |number: usize| if number % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = |number: usize| if number.is_multiple_of(2) { 1.0 } else { -1.0 };
         let (zigzag, lean) = match i {
             i if i == 0 || i == n => (0.0, 0.0),
             _ => (0.5 * shape.zigzag * step * sign(j), shape.lean * thickness * k * sign(i)),

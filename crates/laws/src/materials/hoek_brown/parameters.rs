@@ -131,7 +131,7 @@ fn read_residual(reading: &mut Reading, gsi: f64, m_i: f64, disturbance: f64) ->
         );
     }
     let end = constants(end, m_i, worse);
-    (reading.faults.len() == faults).then(|| Some(Residual { measure, over, end }))
+    (reading.faults.len() == faults).then_some(Some(Residual { measure, over, end }))
 }
 
 pub(super) fn read(values: &Values) -> Result<HoekBrown, Vec<BadParameter>> {
