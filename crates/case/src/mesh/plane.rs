@@ -31,9 +31,9 @@ pub(super) static PLANE: Table = Table {
             "across",
             Kind::Word(&["cut", "whole"]),
             r#""cut""#,
-            "Linings and shotcrete of generated caverns that share nodes with the rock, where an [[interface]] parts the sides of the plane: \
-             `cut` divides them with the rock; `whole` leaves them whole, and they tie the two sides. What an [[interface]] separates from \
-             the rock stays whole under both",
+            "Shotcrete of generated caverns that shares nodes with the rock, where an [[interface]] parts the sides of the plane: `cut` divides \
+             it with the rock; `whole` leaves it whole, and it ties the two sides. Linings, and shotcrete that an [[interface]] separates \
+             from the rock, stay whole under both",
         ),
         Key::optional(
             "seam",
@@ -53,7 +53,7 @@ pub struct CutPlane {
     pub plane: PlaneAt,
     /// From the point up and down the dip, m; nothing: through all the ground.
     pub extent: Option<Spanned<f64>>,
-    /// Whether linings and shotcrete that share nodes with the rock stay whole.
+    /// Whether shotcrete that shares nodes with the rock stays whole.
     pub whole: bool,
     /// A thin layer in it.
     pub seam: Option<Seam>,

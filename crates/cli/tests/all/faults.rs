@@ -1,11 +1,10 @@
-//! A fault through a lined hall: both walls slide, as in a mesh whose nodes were parted by hand.
+//! A fault through a lined hall: both walls slide where it cuts the shotcrete, and are held where that stays whole.
 
-use crate::stage_case::{code, errors, run, tremolite};
+use crate::stage_case::{code, errors, run};
 use serde_json::Value;
-use std::collections::BTreeSet;
 use std::path::Path;
 
-/// A hall of 8 × 8 m with shotcrete on the rock, a lining behind a joint, and a fault that dips by 30 degrees through both walls.
+/// A hall of 8 × 8 m with shotcrete on the rock, a lining behind a joint, and a fault that dips by 20 degrees through both walls.
 const GENERATED: &str = r#"[mesh.caverns]
 overburden = "20 m"
 below = "12 m"
@@ -24,7 +23,7 @@ shotcrete = "0.2 m"
 [[mesh.plane]]
 name = "fault"
 through = [0, 0, "-25 m"]
-dip = "30 deg"
+dip = "20 deg"
 dip_direction = "90 deg"
 "#;
 
@@ -54,10 +53,12 @@ element = "one-point"
 [[region]]
 groups = ["hall.shotcrete"]
 material = "shotcrete"
+element = "layered"
 before = "rock"
 [[region]]
 groups = ["hall.lining"]
 material = "concrete"
+element = "layered"
 before = "rock"
 [[interface]]
 name = "joint"
@@ -68,7 +69,7 @@ friction = 0.6
 name = "fault"
 between = ["fault.below", "fault.above"]
 law = "coulomb"
-friction = 0.3
+friction = 0.22
 [initial]
 lateral = 0.5
 [[stage]]
@@ -80,11 +81,11 @@ name = "line"
 install = ["hall.lining"]
 [[monitor]]
 name = "left"
-at = ["-4.6 m", "2 m", "-22.344 m"]
+at = ["-4.6 m", "2 m", "-23.326 m"]
 interface = "fault"
 [[monitor]]
 name = "right"
-at = ["4.6 m", "2 m", "-27.656 m"]
+at = ["4.6 m", "2 m", "-26.674 m"]
 interface = "fault"
 "#
     )
@@ -105,15 +106,16 @@ fn slid(folder: &Path, text: &str, out: &str) -> Slid {
     let text = std::fs::read_to_string(folder.join(out).join("summary.json")).unwrap();
     let summary: Value = serde_json::from_str(&text).unwrap();
     let fault = &summary["interfaces"]["fault"];
+    let stages = std::fs::read_to_string(folder.join(out).join("stages.csv")).unwrap();
     let wall = |name: &str| {
-        let of = &summary["monitors"][name];
-        let peak = |key: &str| {
-            let value = |end: &str| of[key][end].as_f64().unwrap();
-            value("max").abs().max(value("min").abs())
+        let last = |column: &str| -> f64 {
+            let heads = stages.lines().next().unwrap().split(',');
+            let at = heads.into_iter().position(|head| head == format!("{name}.{column} [m]")).unwrap();
+            stages.lines().last().unwrap().split(',').nth(at).unwrap().parse().unwrap()
         };
-        peak("slip1").hypot(peak("slip2"))
+        last("slip1").hypot(last("slip2"))
     };
-    let found = summary["conclusion"]["findings"].as_array().unwrap();
+    let found = summary["findings"].as_array().unwrap();
     let finding = found.iter().find(|finding| finding["id"] == "interface_fault").unwrap();
     Slid {
         ends: fault["ends"].as_u64().unwrap(),
@@ -124,46 +126,20 @@ fn slid(folder: &Path, text: &str, out: &str) -> Slid {
 }
 
 #[test]
-fn a_fault_slides_at_both_walls_as_in_a_mesh_split_by_hand() {
+fn a_fault_slides_at_both_walls_where_it_cuts_the_shotcrete() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
     let cut = slid(at, &case(GENERATED), "cut");
-    // The same mesh with a copy of each node of both sides for the elements above.
-    let made = tremolite(at, &["mesh", "convert", "case.toml", "hall.vtu"]);
-    assert_eq!(code(&made), 0, "{}", errors(&made));
-    let mut mesh = tremolite_mesh::read(at.join("hall.vtu")).unwrap();
-    let of = |group: &str| mesh.groups[group].clone();
-    let (above, below) = (of("fault.above"), of("fault.below"));
-    let nodes_of = |list: &[u32]| -> BTreeSet<u32> {
-        list.iter().flat_map(|&e| mesh.elements[e as usize].nodes().to_vec()).collect()
-    };
-    let both: Vec<u32> = nodes_of(&above).intersection(&nodes_of(&below)).copied().collect();
-    let first = mesh.nodes.len() as u32;
-    mesh.nodes.extend(both.iter().map(|&n| mesh.nodes[n as usize]).collect::<Vec<_>>());
-    for &e in &above {
-        for node in &mut mesh.elements[e as usize].nodes {
-            if let Ok(k) = both.binary_search(node) {
-                *node = first + k as u32;
-            }
-        }
-    }
-    mesh.node_ids.clear();
-    tremolite_mesh::write(at.join("split.vtu"), &mesh).unwrap();
-    let split = slid(at, &case("[mesh.file]\npath = \"split.vtu\"\n"), "split");
     let tied = slid(at, &case(&format!("{GENERATED}across = \"whole\"\n")), "tied");
-    for (name, run) in [("cut", &cut), ("split", &split), ("tied", &tied)] {
+    for (name, run) in [("cut", &cut), ("tied", &tied)] {
         let mm = run.walls.map(|slip| 1e3 * slip);
         println!("{name}: {} ends, {:.2} m2 slid, {mm:?} mm at the walls", run.ends, run.area);
     }
-    assert_eq!((cut.ends, split.ends), (0, 0));
-    // At rest to 10⁻⁵ of all contributions.
-    assert!((cut.area / split.area - 1.0).abs() < 1e-3, "{} {}", cut.area, split.area);
+    assert!(cut.ends < tied.ends, "{} {}", cut.ends, tied.ends);
+    assert!(cut.area > 1.0 && cut.area > tied.area, "{} {}", cut.area, tied.area);
     for k in 0..2 {
-        assert!(cut.walls[k] > 1e-6, "{:?}", cut.walls);
-        assert!((cut.walls[k] / split.walls[k] - 1.0).abs() < 1e-3, "{:?} {:?}", cut.walls, split.walls);
-        // Whole shotcrete holds the walls, and the result says so.
-        assert!(tied.walls[k] < 0.5 * cut.walls[k], "{:?} {:?}", cut.walls, tied.walls);
+        assert!(cut.walls[k] > 10.0 * tied.walls[k], "{:?} {:?}", cut.walls, tied.walls);
     }
-    assert!(tied.ends > 0 && tied.text.contains("it cannot slide"), "{} {}", tied.ends, tied.text);
-    assert!(!cut.text.contains("cannot slide"), "{}", cut.text);
+    // Nodes that stay tied are told.
+    assert!(tied.text.contains("it cannot slide"), "{}", tied.text);
 }

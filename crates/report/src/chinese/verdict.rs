@@ -35,10 +35,6 @@ pub const TEXTS: Texts = &[
     ("{group}: cracked in {cracked} of its volume.", "{group}：开裂体积占 {cracked}。"),
     ("Interface {name}: neither slid nor opened.", "接触面 {name}：未滑移，也未张开。"),
     (
-        "At {nodes} nodes, where it meets linings or its own ends, it cannot slide.",
-        "在 {nodes} 个节点处（与衬砌相接处或其自身端部），接触面不能滑移。",
-    ),
-    (
         "Interface {name}: slid over {slid} and opened over {opened} of its area.",
         "接触面 {name}：滑移面积占 {slid}，张开面积占 {opened}。",
     ),

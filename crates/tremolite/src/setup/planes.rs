@@ -43,7 +43,7 @@ pub fn groups_of(plane: &case::CutPlane) -> [String; 2] {
 }
 
 /// Cuts a mesh by the planes of a case; what is not possible is among the problems. Elements that it leaves poor are told of, and planes
-/// that bend. Linings that `interfaces` separate from the rock stay whole. Sides that are `free` need not match one another.
+/// that bend. Linings stay whole, and shotcrete that `interfaces` separate from the rock. Sides that are `free` need not match one another.
 pub fn cut_by(
     source: &case::Mesh,
     planes: &[case::CutPlane],
@@ -94,9 +94,7 @@ pub fn cut_by(
                 ));
                 return Vec::new();
             }
-            let divided = planes.iter().filter_map(|plane| divides(source, plane, mesh));
-            let mut warnings: Vec<Diagnostic> =
-                bends(planes, &done, mesh).into_iter().chain(divided).collect();
+            let mut warnings: Vec<Diagnostic> = bends(planes, &done, mesh).into_iter().collect();
             if share >= POOR_STEP && done.jacobian >= POOR_JACOBIAN {
                 return warnings;
             }
@@ -189,23 +187,6 @@ fn opens(plane: &case::CutPlane, interfaces: &[case::Interface]) -> bool {
     plane.seam.is_some() || interfaces.iter().any(between)
 }
 
-/// A plane that divides a lining.
-fn divides(source: &case::Mesh, plane: &case::CutPlane, mesh: &Mesh) -> Option<Diagnostic> {
-    let case::Mesh::Caverns(made) = source else { return None };
-    let [above, below] = groups_of(plane).map(|group| mesh.groups.get(&group).cloned().unwrap_or_default());
-    let lining =
-        made.caverns.iter().map(|cavern| format!("{}.lining", cavern.name.value)).find(|lining| {
-            let own = mesh.groups.get(lining).into_iter().flatten();
-            let on = |side: &Vec<u32>| own.clone().any(|e| side.binary_search(e).is_ok());
-            on(&above) && on(&below)
-        })?;
-    Some(Diagnostic::new(
-        plane.span.clone(),
-        format!("plane '{}' divides '{lining}', which shares nodes with the rock", plane.name.value),
-        "give an [[interface]] between lining and rock, or `across = \"whole\"`, if the lining shall stay whole",
-    ))
-}
-
 /// The plane that bends most, where that is by more than a share of the elements there.
 fn bends(planes: &[case::CutPlane], done: &Done, mesh: &Mesh) -> Option<Diagnostic> {
     let (plane, off, at) = done.bent?;
@@ -237,7 +218,7 @@ struct Thin {
     /// With those of the rock that a gallery takes out of them.
     all: Vec<u32>,
     linings: Vec<u32>,
-    /// Of the linings those that an interface separates from the rock, or from what shares its nodes with the rock.
+    /// Linings, and shotcrete that an interface separates from the rock.
     behind: Vec<u32>,
 }
 
@@ -262,23 +243,19 @@ impl Thin {
         let mut linings = BTreeSet::new();
         let mut behind = BTreeSet::new();
         for cavern in &made.caverns {
-            // From the rock inwards.
-            for kind in ["shotcrete", "lining"] {
-                let own = of_kind(&cavern.name.value, kind);
-                let inside =
-                    if kind == "shotcrete" { of_kind(&cavern.name.value, "lining") } else { BTreeSet::new() };
-                let (mut shared, mut separated) = (0, 0);
-                for [e, other] in joint.neighbours(mesh, &own) {
-                    if [&benches, &behind, &inside].iter().any(|set| set.contains(&other)) {
-                        continue;
-                    }
+            let [sprayed, lining] = ["shotcrete", "lining"].map(|kind| of_kind(&cavern.name.value, kind));
+            // What lies inside the shotcrete does not count.
+            let (mut shared, mut separated) = (0, 0);
+            for [e, other] in joint.neighbours(mesh, &sprayed) {
+                if !benches.contains(&other) && !lining.contains(&other) {
                     *(if joint.apart([e, other]) { &mut separated } else { &mut shared }) += 1;
                 }
-                if separated > shared {
-                    behind.extend(&own);
-                }
-                linings.extend(own);
             }
+            if separated > shared {
+                behind.extend(&sprayed);
+            }
+            behind.extend(&lining);
+            linings.extend(sprayed.into_iter().chain(lining));
         }
         thin.all = linings.union(&openings).copied().collect();
         thin.linings = linings.into_iter().collect();
