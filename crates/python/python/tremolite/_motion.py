@@ -156,7 +156,8 @@ class Motion:
     ) -> Motion:
         """Reads a record of any format that the program knows (`tremolite list formats`), told by its content.
 
-        `units`, `dt` [s], `sensitivity`, `columns` and `encoding` are for files that do not say, as in a case. Remarks of the reader are warned of.
+        `units`, `dt` [s], `sensitivity`, `columns` and `encoding` are for files that do not say, as in a case.
+        Remarks of the reader are warned of.
         """
         motion, remarks = read_record(path, units, dt, sensitivity, columns, encoding)
         for remark in remarks:
