@@ -137,6 +137,15 @@ fn with_pairs(mut seam: Seam, mesh: &Mesh, rims: &Rims, standing: Standing) -> S
             a.and(&b)
         })
         .collect();
+    // Rock that is excavated may have closed the interface where nothing does any more.
+    let lasting = seam.faces.iter().zip(&seam.standing).filter(|(_, life)| life.holds(Stage::Shaking));
+    let closed: BTreeSet<u32> = lasting
+        .flat_map(|([first, second], _)| {
+            let other: Vec<u32> = mesh.face_nodes(*second).collect();
+            mesh.face_nodes(*first).filter(|n| other.contains(n)).collect::<Vec<_>>()
+        })
+        .collect();
+    seam.ends.retain(|n| closed.contains(n));
     let mut of_life: BTreeMap<Life, Vec<u32>> = BTreeMap::new();
     for (f, &life) in (0u32..).zip(&seam.standing) {
         of_life.entry(life).or_default().push(f);

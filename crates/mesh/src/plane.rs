@@ -1,6 +1,7 @@
 //! Planes as geologists give them.
 
 use crate::placement::turn;
+use crate::topology::{cross, dot, norm};
 
 /// A plane with a side above it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +24,16 @@ impl Plane {
     pub fn distance(&self, x: [f64; 3]) -> f64 {
         (0..3).map(|i| self.normal[i] * (x[i] - self.through[i])).sum()
     }
+
+    /// Distance of a point of it from `through` \[m\], measured up or down the dip; on a level plane, any way.
+    pub fn reach(&self, x: [f64; 3]) -> f64 {
+        let way = [0, 1, 2].map(|i| x[i] - self.through[i]);
+        let dip = cross(self.normal, cross(self.normal, [0.0, 0.0, 1.0]));
+        match norm(dip) {
+            size if size > 1e-9 => (dot(way, dip) / size).abs(),
+            _ => norm(way),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -43,6 +54,9 @@ mod tests {
                 let on = [1.0 + way[0], 2.0 + way[1], 3.0 - dip.to_radians().tan()];
                 assert!(plane.distance(on).abs() < 1e-15, "{dip} {direction}");
                 assert!(plane.distance([1.0, 2.0, 4.0]) > 0.0);
+                let along = [on[0] + 5.0 * way[1], on[1] - 5.0 * way[0], on[2]];
+                let expected = if dip == 0.0 { 26.0f64.sqrt() } else { 1.0 / dip.to_radians().cos() };
+                assert!((plane.reach(along) - expected).abs() < 1e-14, "{dip} {direction}");
             }
             assert_eq!(plane(90.0, direction).normal, [way[0], way[1], 0.0]);
         }

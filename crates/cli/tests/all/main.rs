@@ -28,6 +28,7 @@ mod motion_told;
 mod planes;
 mod reference;
 mod references;
+mod residual;
 mod rims;
 mod ringing;
 mod scaling_figure;

@@ -1,19 +1,12 @@
 //! Softening of a layer under a pulse and of a specimen against the element size, and what `check` says of it.
 
-use crate::stage_case::{code, errors, run, tremolite};
+use crate::stage_case::{code, errors, run, tremolite, write_ricker};
 use std::path::Path;
 use tremolite_results::{Summary, Table};
 
 /// A column of 48 m with a layer of 8 m that softens, under a pulse of 2 Hz from below (a Ricker wavelet of 6 m/s² at the outcrop).
 fn column(folder: &Path, elements: usize, softening: &str) {
-    let pulse: String = (0..800)
-        .map(|k| {
-            let t = 0.005 * f64::from(k);
-            let x = (std::f64::consts::PI * 2.0 * (t - 1.0)).powi(2);
-            format!("{t} {:.9e}\n", 2.0 * (1.0 - 2.0 * x) * (-x).exp())
-        })
-        .collect();
-    std::fs::write(folder.join("ricker2.txt"), format!("# units = \"m/s2\"\n{pulse}")).unwrap();
+    write_ricker(folder);
     let text = format!(
         r#"title = "column with a layer that softens"
 [mesh.box]

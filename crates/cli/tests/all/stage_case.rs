@@ -5,6 +5,18 @@ use std::path::Path;
 use std::process::{Command, Output};
 use tremolite_mesh::boxes::BoxSpec;
 
+/// Writes the record `ricker2.txt`: a Ricker wavelet of 2 Hz and 2 m/s², at its peak at 1 s and over at 1.6 s.
+pub fn write_ricker(folder: &Path) {
+    let pulse: String = (0..800)
+        .map(|k| {
+            let t = 0.005 * f64::from(k);
+            let x = (std::f64::consts::PI * 2.0 * (t - 1.0)).powi(2);
+            format!("{t} {:.9e}\n", 2.0 * (1.0 - 2.0 * x) * (-x).exp())
+        })
+        .collect();
+    std::fs::write(folder.join("ricker2.txt"), format!("# units = \"m/s2\"\n{pulse}")).unwrap();
+}
+
 pub fn tremolite(folder: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_tremolite")).current_dir(folder).args(args).output().unwrap()
 }

@@ -1,14 +1,17 @@
 //! Which elements meet at interfaces, and by what law.
 
 use super::groups::nothing_fits;
+use super::stages::StandIn;
+use super::{places, planes};
 use crate::plan::PairMonitor;
 use std::collections::{BTreeMap, BTreeSet};
-use tremolite_case::{Case, Diagnostic, Interface as Written, Place, pattern};
-use tremolite_engine::{Body, Interface, Life, Stage};
+use tremolite_case::{self as case, Case, Diagnostic, Interface as Written, Place, pattern};
+use tremolite_engine::{Body, Interface, Life, Problem, Stage};
 use tremolite_kernels::InterfaceLaw;
 use tremolite_laws::Choice;
 use tremolite_mesh::Mesh;
 use tremolite_mesh::merge::{coincident_nodes, shortest_edge};
+use tremolite_mesh::plane::Plane;
 
 /// Normal stiffness \[Pa/m\] beyond any.
 const STIFF: f64 = 1e15;
@@ -16,6 +19,8 @@ const STIFF: f64 = 1e15;
 const DOUBLED: f64 = 1e-3;
 /// And within which they are paired ([`tremolite_mesh::split::split`]).
 const PAIRED: f64 = 1e-6;
+/// Share of a plane's extent within which nodes lie on it.
+const ON_PLANE: f64 = 1e-6;
 
 /// The interfaces of a case that are not tied, in its order: through what is there in the earthquake, and through what is
 /// excavated before.
@@ -200,6 +205,88 @@ pub fn warnings(case: &Case, laws: &[InterfaceLaw]) -> Vec<Diagnostic> {
             .extend(built.warnings().into_iter().map(|w| Diagnostic::new(written.span.clone(), w, remedy)));
     }
     warnings
+}
+
+/// Puts ground that stands in the place of what is installed later on the sides of interfaces that are there from the start: on the
+/// side of its place, or, where a plane passes its place by, on the side of the plane on which its middle lies. Only ground of a body
+/// that has elements on that side from the start is put there.
+/// `places` says of each element of the mesh as it was read when something of its own stands in its place.
+pub fn part_stand_ins(case: &Case, problem: &mut Problem, places: &[Life], stand_ins: &[StandIn]) {
+    let Problem { mesh, bodies, interfaces, .. } = problem;
+    let mut body_of = vec![None; mesh.elements.len()];
+    for (b, body) in bodies.iter().enumerate() {
+        body.elements.iter().for_each(|&e| body_of[e as usize] = Some(b));
+    }
+    let passing: Vec<Passing> =
+        case.ground.planes.iter().filter_map(|plane| Passing::of(plane, mesh)).collect();
+    for interface in interfaces {
+        let from_start = interface.sides.each_ref().map(|side| -> BTreeSet<usize> {
+            let standing = side.iter().filter(|&&e| !places[e as usize].is_later());
+            standing.filter_map(|&e| body_of[e as usize]).collect()
+        });
+        if from_start.iter().any(BTreeSet::is_empty) {
+            continue;
+        }
+        let named = |e: u32| interface.sides.iter().position(|side| side.binary_search(&e).is_ok());
+        let lies = passing.iter().filter_map(|plane| Some((plane, plane.is_of(named)?))).next();
+        let side_of = |e: u32| {
+            named(e).or_else(|| lies.and_then(|(plane, above)| Some(above ^ plane.side_below(mesh, e)?)))
+        };
+        let mut more: [Vec<u32>; 2] = Default::default();
+        for stand_in in stand_ins {
+            if let Some(side) = side_of(stand_in.of)
+                && from_start[side].contains(&stand_in.body)
+            {
+                more[side].push(stand_in.element);
+            }
+        }
+        interface.sides.iter_mut().zip(more).for_each(|(side, more)| side.extend(more));
+    }
+}
+
+/// A plane of the case, and what it made of the mesh.
+struct Passing {
+    plane: Plane,
+    extent: Option<f64>,
+    /// Elements above and below it.
+    cut: [Vec<u32>; 2],
+}
+
+impl Passing {
+    /// Nothing where one of its groups is empty.
+    fn of(plane: &case::CutPlane, mesh: &Mesh) -> Option<Self> {
+        let [above, below] = planes::groups_of(plane).map(|group| mesh.groups.get(&group).cloned());
+        let cut = [above?, below?];
+        let extent = plane.extent.as_ref().map(|extent| extent.value);
+        cut.iter().all(|side| !side.is_empty()).then(|| Passing {
+            plane: places::plane(&plane.plane),
+            extent,
+            cut,
+        })
+    }
+
+    /// The side of an interface on which what is above lies, where the interface is that of the plane.
+    fn is_of(&self, named: impl Fn(u32) -> Option<usize>) -> Option<usize> {
+        let [above, below] = self.cut.each_ref().map(|side| side.iter().find_map(|&e| named(e)));
+        (above? != below?).then_some(above?)
+    }
+
+    /// 0 for an element above, and 1 for one below, that the plane does not cut; of a plane with an extent only if it has a face on it
+    /// there.
+    fn side_below(&self, mesh: &Mesh, element: u32) -> Option<usize> {
+        if self.cut.iter().any(|side| side.binary_search(&element).is_ok()) {
+            return None;
+        }
+        let nodes = mesh.elements[element as usize].nodes().iter().map(|&n| mesh.nodes[n as usize]);
+        if let Some(extent) = self.extent {
+            let on = |x: [f64; 3]| self.plane.distance(x).abs() < ON_PLANE * extent;
+            if nodes.filter(|&x| on(x) && self.plane.reach(x) <= extent).count() < 3 {
+                return None;
+            }
+        }
+        let middle = tremolite_mesh::places::middle(mesh, element);
+        Some(usize::from(self.plane.distance(middle) < 0.0))
+    }
 }
 
 /// Monitors on interfaces that are not tied; the others are among the problems.

@@ -11,7 +11,7 @@ pub use pressures::check_pressures;
 
 use super::changes::{Version, before, versions};
 use super::groups::nothing_fits;
-use super::{initial, seepage, water};
+use super::{initial, interfaces, seepage, water};
 use crate::stages::PlannedStage;
 use faces::Faces;
 use pressures::{Around, loads, sides};
@@ -194,10 +194,12 @@ impl Staged {
         let walls = Faces::of(&space.mesh);
         let mut shown: Vec<u32> = (0..space.mesh.elements.len() as u32).collect();
         space.lives = self.lives;
+        let mut stand_ins = Vec::new();
         for (of, body, life) in self.stand_ins {
             shown.push(of);
-            add(space, of, body, life);
+            stand_ins.push(StandIn { element: add(space, of, body, life), of, body });
         }
+        interfaces::part_stand_ins(case, space, &self.places, &stand_ins);
         let mut last: HashMap<u32, u32> = HashMap::new();
         for Version { element: of, body, life } in self.versions {
             shown.push(of);
@@ -272,6 +274,14 @@ impl Staged {
         from_start.for_each(|version| all[version.element as usize] = Some(version.body));
         all
     }
+}
+
+/// Ground that stands in the place of what is installed later.
+pub struct StandIn {
+    pub element: u32,
+    /// The element of the mesh in whose place it stands.
+    pub of: u32,
+    pub body: usize,
 }
 
 /// The material of a solid region.

@@ -8,7 +8,7 @@ use super::{Ground, Made};
 use crate::cut::Cut;
 use crate::places::middle;
 use crate::quality;
-use crate::topology::{cross, dot, face_key, minus, norm};
+use crate::topology::{face_key, minus, norm};
 use crate::{Element, Face, Mesh};
 
 /// Worth below which an element's nodes become dearer.
@@ -327,19 +327,6 @@ fn number(ids: &mut Vec<u64>, count: usize) {
 
 /// The elements above and below that have a face on the plane whose middle lies within its extent.
 fn beside(mesh: &Mesh, cut: &Cut, extent: f64, side: &[i8], on: impl Fn(u32) -> bool) -> [Vec<u32>; 2] {
-    let down = {
-        let level = cross(cut.plane.normal, [0.0, 0.0, 1.0]);
-        // A level plane reaches as far every way.
-        (norm(level) > 1e-9).then(|| {
-            let dip = cross(cut.plane.normal, level);
-            let size = norm(dip);
-            dip.map(|c| c / size)
-        })
-    };
-    let within = |x: [f64; 3]| {
-        let way = minus(x, cut.plane.through);
-        down.map_or_else(|| norm(way), |down| dot(way, down).abs()) <= extent
-    };
     let touches = |e: &u32| mesh.elements[*e as usize].nodes().iter().any(|&n| on(n));
     let candidates: Vec<u32> = (0..mesh.elements.len() as u32).filter(touches).collect();
     let mut owners: HashMap<[u32; 4], Vec<u32>> = HashMap::new();
@@ -349,7 +336,7 @@ fn beside(mesh: &Mesh, cut: &Cut, extent: f64, side: &[i8], on: impl Fn(u32) -> 
             if mesh.face_nodes(face).all(&on) {
                 let nodes: Vec<[f64; 3]> = mesh.face_nodes(face).map(|n| mesh.nodes[n as usize]).collect();
                 let mean = [0, 1, 2].map(|i| nodes.iter().map(|x| x[i]).sum::<f64>() / nodes.len() as f64);
-                if within(mean) {
+                if cut.plane.reach(mean) <= extent {
                     owners.entry(face_key(mesh, face)).or_default().push(element);
                 }
             }
