@@ -80,7 +80,7 @@ pub(crate) fn check(case: &Fields, written: &Written) -> (Vec<Diagnostic>, Vec<D
         warnings.push(Diagnostic::at(
             &base,
             "no motion enters through a free base",
-            "write base = \"viscous-spring\", unless the model is to stay at rest",
+            "write base = \"viscous\", unless the model is to stay at rest",
         ));
     }
     (problems, warnings)

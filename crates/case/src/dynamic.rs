@@ -21,7 +21,7 @@ pub(crate) static DYNAMIC: Table = Table {
         Key::default(
             "base",
             Kind::Brief(&BASE, &["kind"]),
-            r#""viscous-spring""#,
+            r#""viscous""#,
             "Boundary at the base, where the motion enters",
         ),
         Key::required("sides", Kind::Brief(&SIDES, &["x", "y"]), "boundary at the four sides"),

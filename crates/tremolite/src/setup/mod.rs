@@ -434,7 +434,7 @@ fn base(case: &Case, problems: &mut Vec<case::Diagnostic>) -> Base {
             problems.push(case::Diagnostic::at(
                 base,
                 "the motion cannot enter through this base, so the run would do nothing",
-                "use base = \"viscous-spring\" or \"viscous\"",
+                "use base = \"viscous\" or \"viscous-spring\"",
             ));
             Base::Free
         }
