@@ -11,7 +11,7 @@ fn stages_that_do_not_fit_are_refused_at_their_lines() {
         ("excavate = [\"core\"]", "excavate = [\"cor\"]", "no group of the mesh fits 'cor'", "excavate"),
         ("install = [\"shell\"]", "install = [\"shel\"]", "no group of the mesh fits 'shel'", "install"),
         ("{ shell = \"20 kPa\" }", "{ shel = \"20 kPa\" }", "no group of the mesh fits 'shel'", "pressure"),
-        ("excavate = [\"core\"]\n", "", "but rock stands in its place", "\"shell\"\ninstall"),
+        ("excavate = [\"core\"]\n", "", "but the rock in its place", "\"shell\"\ninstall"),
         (
             "install = [\"shell\"]",
             "excavate = [\"core\"]",

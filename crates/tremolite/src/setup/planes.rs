@@ -118,10 +118,34 @@ pub fn cut_by(
             let text = e.to_string();
             let (what, remedy) = text.split_once("; ").unwrap_or((&text, "change the plane"));
             let remedy = if crosses_there(&e, &cuts, mesh) { CROSSING } else { remedy };
+            let what = format!("{what}{}", flat_there(&e, &thin, mesh).unwrap_or_default());
             problems.push(Diagnostic::new(at.span.clone(), what, remedy));
             Vec::new()
         }
     }
+}
+
+/// Flat elements of a lining or of shotcrete where a plane cannot be meshed, as the end of a sentence.
+fn flat_there(error: &CutError, thin: &Thin, mesh: &Mesh) -> Option<String> {
+    let CutError::Poor { at, .. } = error else { return None };
+    let from = |e: u32| {
+        let x = tremolite_mesh::places::middle(mesh, e);
+        (0..3).map(|i| (x[i] - at[i]).powi(2)).sum::<f64>()
+    };
+    let nearest = (0..mesh.elements.len() as u32).min_by(|&a, &b| from(a).total_cmp(&from(b)))?;
+    thin.all.binary_search(&nearest).ok()?;
+    let groups = mesh.groups.iter().filter(|(_, elements)| elements.binary_search(&nearest).is_ok());
+    let (group, _) = groups.min_by_key(|(_, elements)| elements.len())?;
+    let nodes = mesh.elements[nearest as usize].nodes();
+    let edge = |&[a, b]: &[u32; 2]| {
+        let [a, b] = [a, b].map(|n| mesh.nodes[n as usize]);
+        (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+    };
+    let pairs = (0..nodes.len()).flat_map(|i| (0..i).map(move |j| [nodes[i], nodes[j]]));
+    let lengths: Vec<f64> = pairs.map(|pair| edge(&pair)).filter(|&length| length > 0.0).collect();
+    let [shortest, longest] =
+        [lengths.iter().copied().reduce(f64::min)?, lengths.iter().copied().reduce(f64::max)?];
+    Some(format!(". That element of '{group}' is {shortest:.2} m thin and {longest:.1} m long"))
 }
 
 /// Whether an element is too poor where two planes cross.

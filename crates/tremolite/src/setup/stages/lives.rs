@@ -193,18 +193,23 @@ impl Staged {
                 if !refused.contains(&born) {
                     refused.push(born);
                     let stage = &case.stages[born];
-                    let when = nearest.map_or("for good".to_owned(), |k| {
-                        format!("until '{}'", case.stages[k - 1].name.value)
-                    });
+                    let when = match nearest {
+                        Some(k) => format!("leaves only in '{}'", case.stages[k - 1].name.value),
+                        None => "never leaves".to_owned(),
+                    };
+                    let (what, group) = (name(mesh, e), smallest_group(mesh, e));
                     problems.push(Diagnostic::at(
                         &stage.name,
-                        format!(
-                            "'{}' installs {}, but rock stands in its place {when}",
-                            stage.name.value,
-                            name(mesh, e)
-                        ),
-                        "excavate what is beside it first, or in the same stage; where that is done, it shares no face with what goes: see \
-                         with `tremolite mesh info` whether nodes lie twice there, and merge them",
+                        format!("'{}' installs {what}, but the rock in its place {when}", stage.name.value),
+                        match group {
+                            Some(group) => {
+                                format!(
+                                    "add '{group}' to the `excavate` of '{}' or of an earlier stage",
+                                    stage.name.value
+                                )
+                            }
+                            None => "excavate it in that stage or earlier".to_owned(),
+                        },
                     ));
                 }
                 continue;
@@ -228,12 +233,17 @@ impl Staged {
 
 /// An element for messages, with the smallest group that holds it.
 fn name(mesh: &Mesh, element: u32) -> String {
-    let groups = mesh.groups.iter().filter(|(_, elements)| elements.binary_search(&element).is_ok());
     let number = mesh.element_id(element as usize);
-    match groups.min_by_key(|(_, elements)| elements.len()) {
-        Some((group, _)) => format!("element {number} of '{group}'"),
+    match smallest_group(mesh, element) {
+        Some(group) => format!("element {number} of '{group}'"),
         None => format!("element {number}"),
     }
+}
+
+/// The smallest group that contains an element.
+fn smallest_group(mesh: &Mesh, element: u32) -> Option<&str> {
+    let groups = mesh.groups.iter().filter(|(_, elements)| elements.binary_search(&element).is_ok());
+    groups.min_by_key(|(_, elements)| elements.len()).map(|(group, _)| group.as_str())
 }
 
 /// The body that a region's `before` names.
