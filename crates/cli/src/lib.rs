@@ -4,6 +4,7 @@ mod commands;
 mod exit;
 mod machine;
 mod ranks;
+mod renamed;
 mod signals;
 mod terminal;
 
@@ -56,6 +57,10 @@ enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>, again: Vec<OsString>) -> u8 {
     machine::starts_again_by(again);
     let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if let Some(message) = renamed::option(&arguments) {
+        terminal::say(&format!("error: {message}"));
+        return exit::Code::BadInput as u8;
+    }
     let asks_for_json = arguments.iter().any(|argument| argument == "--json");
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,

@@ -157,7 +157,7 @@ impl Started {
         };
         AGREED.store(true, Relaxed);
         Err(Failure::input(format!(
-            "rank {other} runs another {what} than the first; start all ranks with the same program, case file, --set and --from"
+            "rank {other} runs another {what} than the first; start all ranks with the same program, case file, --set and --start-from"
         )))
     }
 

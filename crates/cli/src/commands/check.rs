@@ -39,7 +39,10 @@ pub struct Args {
     isa: Option<String>,
     /// Print every line: groups, what comes and goes, constants of the laws, keys that are left out
     #[arg(long, conflicts_with = "json")]
-    all: bool,
+    verbose: bool,
+    /// Check a model of any size: without it a model of implausibly many elements is not meshed
+    #[arg(long)]
+    ignore_resources: bool,
     /// Print one JSON object, numbers in SI
     #[arg(long)]
     json: bool,
@@ -57,7 +60,7 @@ pub struct Args {
 /// The end of a check that a slip of a unit has made long.
 fn stopped(strict: bool) -> Code {
     print(
-        "Nothing else is checked: a model of this size takes longer to look at than to mend. `check --all` looks at it all the same.",
+        "Nothing else is checked: a model of this size takes longer to look at than to mend. `check --ignore-resources` checks it all the same.",
     );
     if strict { Code::Failed } else { Code::Done }
 }
@@ -65,15 +68,15 @@ fn stopped(strict: bool) -> Code {
 pub fn run(args: &Args) -> Outcome {
     let isa = machine::isa(args.isa.as_deref())?;
     let free = Free::now(Path::new("results"));
-    let all_asked = args.all || args.json || args.bolts.is_some() || args.ranks.is_some();
+    let any_size = args.ignore_resources || args.json || args.bolts.is_some() || args.ranks.is_some();
     let given = given(&args.set, isa)?;
-    if !all_asked && let Some(remark) = oversized(&args.case, &given) {
+    if !any_size && let Some(remark) = oversized(&args.case, &given) {
         tell(&[remark]);
         return Ok(stopped(args.strict));
     }
     let pool = pool(args.threads)?;
     let loaded = pool.install(|| load(&args.case, &given))?;
-    if !all_asked && loaded.is_oversized() {
+    if !any_size && loaded.is_oversized() {
         return Ok(stopped(args.strict));
     }
     if let Some(lacking) = free.lacks_for_mesh(loaded.setup.problem.mesh.elements.len()) {
@@ -94,14 +97,14 @@ pub fn run(args: &Args) -> Outcome {
             }
             print(&serde_json::to_string_pretty(&said).unwrap_or_default());
         } else {
-            let lines = if args.all { Lines::All } else { Lines::Deciding };
+            let lines = if args.verbose { Lines::All } else { Lines::Deciding };
             text::print_lines(&checked, lines);
             shared.iter().for_each(ranks::print_lines);
         }
         let refused = free
             .lacks_for(&job)
             .into_iter()
-            .map(|why| format!("`run` would refuse it without --allow: {why}"));
+            .map(|why| format!("`run` would refuse it without `--ignore-resources`: {why}"));
         let beyond: Vec<String> = refused.chain(room::long(checked.seconds(), &checked.set_by)).collect();
         warn(&beyond);
         let failed = args.strict && (job.warnings().next().is_some() || !beyond.is_empty());

@@ -37,7 +37,7 @@ pub struct Args {
     resume: bool,
     /// Begin with what the run in this folder had come to before its earthquake: same mesh, materials and stages
     #[arg(long, value_name = "DIR", conflicts_with = "resume")]
-    from: Option<PathBuf>,
+    start_from: Option<PathBuf>,
     /// Replace the results that --out holds
     #[arg(long, conflicts_with = "resume")]
     overwrite: bool,
@@ -46,7 +46,7 @@ pub struct Args {
     isa: Option<String>,
     /// Run though this machine has hardly the memory or the disk for it
     #[arg(long)]
-    allow: bool,
+    ignore_resources: bool,
     /// End with status 1 where a check of the run fails or the case is warned of, before the earthquake where a check of the stages fails;
     /// results are kept
     #[arg(long)]
@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Outcome {
         None => go(args, since, asked(args)?, None),
         Some(started) => {
             let asked = started.together(asked(args))?;
-            started.same_case(&asked.job.case.source, args.from.is_some())?;
+            started.same_case(&asked.job.case.source, args.start_from.is_some())?;
             go(args, since, asked, Some(started))
         }
     })
@@ -82,11 +82,11 @@ fn asked(args: &Args) -> Result<Asked, Failure> {
     let loaded = load(&args.case, &given(&args.set, isa)?)?;
     let room = |lacking: &[String]| match lacking {
         [] => Ok(()),
-        _ if args.allow => Ok(()),
-        all => Err(Failure::input(format!("{}; --allow runs it all the same", all.join("\n")))),
+        _ if args.ignore_resources => Ok(()),
+        all => Err(Failure::input(format!("{}; `--ignore-resources` runs it all the same", all.join("\n")))),
     };
     room(&free.lacks_for_mesh(loaded.setup.problem.mesh.elements.len()).into_iter().collect::<Vec<_>>())?;
-    if let Some(from) = &args.from {
+    if let Some(from) = &args.start_from {
         loaded.check_from().map_err(|why| no_rest(from, &why))?;
     }
     let job = modelled(loaded)?;
@@ -95,7 +95,7 @@ fn asked(args: &Args) -> Result<Asked, Failure> {
     if !args.resume && !args.overwrite {
         room(&free.lacks_for(&job))?;
     }
-    let other = args.from.as_deref().map(|from| rest(args, &job, from)).transpose()?;
+    let other = args.start_from.as_deref().map(|from| rest(args, &job, from)).transpose()?;
     Ok(Asked { job, other })
 }
 
@@ -304,10 +304,10 @@ fn joined(job: &Job, told: &str, other: Option<&ResultFolder>) -> Result<Option<
 fn no_rest(from: &Path, why: &RunError) -> Failure {
     match why {
         RunError::NoRest => Failure::input(format!(
-            "--from {} has nothing to begin with: the case has no stages and no initial stress",
+            "--start-from {} has nothing to begin with: the case has no stages and no initial stress",
             from.display()
         )),
-        RunError::RestAlone => Failure::input("--from leaves nothing to do: the case has no [motion]"),
+        RunError::RestAlone => Failure::input("--start-from leaves nothing to do: the case has no [motion]"),
         why => Failure::input(why),
     }
 }
@@ -319,7 +319,7 @@ fn rest(args: &Args, job: &Job, from: &Path) -> Result<ResultFolder, Failure> {
     let whole = |path: &Path| path.canonicalize().ok();
     if args.out.as_deref().is_some_and(|out| whole(out).is_some_and(|out| Some(out) == whole(from))) {
         return Err(Failure::input(format!(
-            "--from {} is where the results would go; give another --out",
+            "--start-from {} is where the results would go; give another --out",
             from.display()
         )));
     }

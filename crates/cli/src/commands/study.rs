@@ -34,7 +34,7 @@ pub struct Args {
     list: bool,
     /// Runs beside one another (one a core by default)
     #[arg(long, value_name = "N")]
-    at_once: Option<usize>,
+    jobs: Option<usize>,
     /// Threads of each run (the cores shared out by default); results do not depend on it
     #[arg(long, value_name = "N")]
     threads: Option<usize>,
@@ -143,10 +143,10 @@ pub fn run(args: &Args) -> Outcome {
         let stop = stop_flag();
         let cores = machine::threads();
         let wish = |n: Option<u32>| n.map(|n| n as usize);
-        let at_once = args.at_once.or(wish(study.run.at_once)).unwrap_or(cores).clamp(1, chosen.len().max(1));
+        let at_once = args.jobs.or(wish(study.run.at_once)).unwrap_or(cores).clamp(1, chosen.len().max(1));
         let threads = args.threads.or(wish(study.run.threads)).unwrap_or((cores / at_once).max(1));
-        if !(1..=4096).contains(&threads) || args.at_once == Some(0) {
-            return Err(Failure::input("--threads and --at-once are between 1 and 4096"));
+        if !(1..=4096).contains(&threads) || args.jobs == Some(0) {
+            return Err(Failure::input("--threads and --jobs are between 1 and 4096"));
         }
         if let Some(retry) = args.retry {
             queue::retry(&plan, &planned, &out, &chosen, |status| retry.means(status))?;

@@ -36,7 +36,7 @@ fn change(case: &Path, from: &str, to: &str) {
 #[test]
 fn a_new_case_checks_runs_and_reports() {
     let (folder, _) = new_case();
-    let check = tremolite(folder.path(), &["check", "--all", "study/case.toml"]);
+    let check = tremolite(folder.path(), &["check", "--verbose", "study/case.toml"]);
     assert_eq!(code(&check), 0, "{}", errors(&check));
     let text = String::from_utf8(check.stdout).unwrap();
     for word in
@@ -213,7 +213,7 @@ fn what_was_left_out_is_listed_with_values_and_materials_with_what_their_laws_de
     let concrete = "law         = \"concrete-damage\"\ntensile_strength = \"1.2 MPa\"\ncohesion = \"2 MPa\"\n\
                     friction_angle = \"46 deg\"\nyoung       = \"25 GPa\"";
     change(&case, "law         = \"elastic\"\nyoung       = \"25 GPa\"", concrete);
-    let check = tremolite(folder.path(), &["check", "--all", "study/case.toml"]);
+    let check = tremolite(folder.path(), &["check", "--verbose", "study/case.toml"]);
     assert_eq!(code(&check), 0, "{}", errors(&check));
     let text = String::from_utf8(check.stdout).unwrap();
     // 2·2 MPa·cos 46°/(1 − sin 46°) = 9.900 MPa

@@ -116,7 +116,7 @@ struct Slid {
 
 fn slid(folder: &Path, text: &str, out: &str) -> Slid {
     std::fs::write(folder.join("case.toml"), text).unwrap();
-    let output = run(folder, out, &["--allow"]);
+    let output = run(folder, out, &["--ignore-resources"]);
     assert_eq!(code(&output), 0, "{}", errors(&output));
     let text = std::fs::read_to_string(folder.join(out).join("summary.json")).unwrap();
     let summary: Value = serde_json::from_str(&text).unwrap();

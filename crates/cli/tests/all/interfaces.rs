@@ -216,7 +216,7 @@ fn results_of_an_interface_are_where_scripts_expect_them() {
 fn what_is_wrong_with_an_interface_is_said_at_its_place_before_any_computing() {
     let folder = tempfile::tempdir().unwrap();
     slab(folder.path(), &GOOD.replace("normal_stiffness = \"20 GPa/m\"\n", ""), "", [2.0, 2.0]);
-    let check = tremolite(folder.path(), &["check", "--all", "case.toml"]);
+    let check = tremolite(folder.path(), &["check", "--verbose", "case.toml"]);
     let said = String::from_utf8_lossy(&check.stdout).into_owned();
     assert!(check.status.success(), "{}", errors(&check));
     for words in [

@@ -57,7 +57,7 @@ fn run(folder: &Path, case: &str, out: &str) -> Output {
         .unwrap();
     std::fs::write(folder.join("case.toml"), case).unwrap();
     let command = &mut Command::new(env!("CARGO_BIN_EXE_tremolite"));
-    command.current_dir(folder).args(["run", "case.toml", "--out", out, "--allow"]).output().unwrap()
+    command.current_dir(folder).args(["run", "case.toml", "--out", out, "--ignore-resources"]).output().unwrap()
 }
 
 fn summary(folder: &Path, out: &str) -> Value {

@@ -85,7 +85,7 @@ histories = "0.01 s"
 fn residual(folder: &Path, base: &str) -> [f64; 2] {
     write_ricker(folder);
     std::fs::write(folder.join("case.toml"), case(base)).unwrap();
-    let ended = run(folder, "out", &["--overwrite", "--allow"]);
+    let ended = run(folder, "out", &["--overwrite", "--ignore-resources"]);
     assert_eq!(code(&ended), 0, "{}", errors(&ended));
     let table = Table::read(&folder.join("out/monitors.csv")).unwrap();
     let (times, crown) = (table.column("time").unwrap(), table.column("crown.ux").unwrap());

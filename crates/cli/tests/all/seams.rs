@@ -161,7 +161,7 @@ fn seams_are_said_and_what_is_wrong_with_them_is_refused_at_its_line() {
     let sound = case(AS_INTERFACE, FREE, "uz", &[-1e-5]);
     let check = |text: &str| {
         std::fs::write(at.join("case.toml"), text).unwrap();
-        tremolite(at, &["check", "case.toml", "--all"])
+        tremolite(at, &["check", "case.toml", "--verbose"])
     };
     let output = check(&sound);
     let said = String::from_utf8_lossy(&output.stdout).into_owned();

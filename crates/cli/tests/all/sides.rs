@@ -98,7 +98,7 @@ fn a_top_that_absorbs_is_warned_of_at_its_line_and_listed() {
     assert!(said.contains(&format!("case.toml:{}:", line(folder, "top ="))), "{said}");
     assert!(said.contains("the wave that the real surface would send back is missing"), "{said}");
     block(folder, "sides = \"periodic\"");
-    let check = tremolite(folder, &["check", "--all", "case.toml"]);
+    let check = tremolite(folder, &["check", "--verbose", "case.toml"]);
     assert_eq!(errors(&check), "", "a free top goes without saying");
     assert!(String::from_utf8(check.stdout).unwrap().contains("dynamic.top = free"));
     let list = String::from_utf8(tremolite(folder, &["list", "boundaries"]).stdout).unwrap();

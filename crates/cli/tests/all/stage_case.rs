@@ -151,7 +151,7 @@ pub fn same(folder: &Path, first: &str, second: &str, files: &[&str]) {
 pub fn check(folder: &Path) -> (Value, String, String) {
     let json = tremolite(folder, &["check", "case.toml", "--json"]);
     assert_eq!(code(&json), 0, "{}", errors(&json));
-    let text = tremolite(folder, &["check", "--all", "case.toml"]);
+    let text = tremolite(folder, &["check", "--verbose", "case.toml"]);
     let said = errors(&text);
     (serde_json::from_slice(&json.stdout).unwrap(), String::from_utf8(text.stdout).unwrap(), said)
 }

@@ -197,7 +197,7 @@ fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
         "[initial]",
         &format!("{}[initial]", JOINT.replace("max_closure", "normal_stiffness = \"20 GPa/m\"\nmax_closure")),
     );
-    for (out, more) in [("whole", &["--threads", "1"][..]), ("from", &["--threads", "2", "--from", "whole"])]
+    for (out, more) in [("whole", &["--threads", "1"][..]), ("from", &["--threads", "2", "--start-from", "whole"])]
     {
         let done = run(folder, out, more);
         assert_eq!(code(&done), 0, "{}", errors(&done));
@@ -206,7 +206,7 @@ fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
     same(folder, "whole", "from", &["interfaces.csv"]);
     // The dashpots of pairs are none while time stands still: through the stages or begun behind them is the same.
     change(folder, "friction = 0.7", "friction = 0.7\ncontact_damping = 0.05");
-    for (out, more) in [("damped", &[][..]), ("later", &["--from", "whole"])] {
+    for (out, more) in [("damped", &[][..]), ("later", &["--start-from", "whole"])] {
         let done = run(folder, out, more);
         assert_eq!(code(&done), 0, "{}", errors(&done));
     }
@@ -228,7 +228,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
     case(folder, LATERAL, STAGES, SHAKING);
     let whole = run(folder, "whole", &[]);
     assert_eq!(code(&whole), 0, "{}", errors(&whole));
-    let from = run(folder, "from", &["--from", "whole"]);
+    let from = run(folder, "from", &["--start-from", "whole"]);
     assert_eq!(code(&from), 0, "{}", errors(&from));
     same(folder, "whole", "from", &HISTORIES);
     let original = std::fs::read_to_string(folder.join("case.toml")).unwrap();
@@ -247,7 +247,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
     .enumerate()
     {
         change(folder, what, with);
-        let other = run(folder, &format!("other{k}"), &["--from", "whole"]);
+        let other = run(folder, &format!("other{k}"), &["--start-from", "whole"]);
         assert_eq!(code(&other), 0, "{with}: {}", errors(&other));
         same(folder, "whole", &format!("other{k}"), &["stages.csv"]);
         std::fs::write(folder.join("case.toml"), &original).unwrap();
@@ -259,7 +259,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
     std::fs::write(folder.join("case.toml"), &original).unwrap();
     // Of a monitor that was not there nothing is known in the stages; of the others what was.
     change(folder, "name = \"wall\"\nat = [\"12.5 m\"", "name = \"wall\"\nat = [\"3.5 m\"");
-    let moved = run(folder, "moved", &["--from", "whole"]);
+    let moved = run(folder, "moved", &["--start-from", "whole"]);
     assert_eq!(code(&moved), 0, "{}", errors(&moved));
     let stages = |run: &str| Summary::read(&folder.join(run).join("summary.json")).unwrap().computed.stages;
     assert_eq!(stages("moved")[1].monitors["roof"], stages("whole")[1].monitors["roof"]);
@@ -275,14 +275,14 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
         ("path = \"hall.msh\"", "path = \"hall.msh\"\nunit = \"1.01 m\""),
     ] {
         change(folder, what, with);
-        let refused = run(folder, "refused", &["--from", "whole"]);
+        let refused = run(folder, "refused", &["--start-from", "whole"]);
         assert_eq!(code(&refused), 2, "{with}: {}", errors(&refused));
         assert!(errors(&refused).contains("is that of another mesh"), "{}", errors(&refused));
         assert!(!folder.join("refused").exists(), "nothing is computed");
         std::fs::write(folder.join("case.toml"), &original).unwrap();
     }
     // Not over what it begins with.
-    let over = run(folder, "whole", &["--from", "whole", "--overwrite"]);
+    let over = run(folder, "whole", &["--start-from", "whole", "--overwrite"]);
     assert_eq!(code(&over), 2);
     assert!(
         folder.join("whole/checkpoint/hand-over.bin").exists() && errors(&over).contains("another --out")
@@ -294,7 +294,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
     let still = run(folder, "rest", &[]);
     assert_eq!(code(&still), 0, "{}", errors(&still));
     std::fs::write(folder.join("case.toml"), &original).unwrap();
-    let shaken = run(folder, "shaken", &["--from", "rest"]);
+    let shaken = run(folder, "shaken", &["--start-from", "rest"]);
     assert_eq!(code(&shaken), 0, "{}", errors(&shaken));
     same(folder, "whole", "shaken", &HISTORIES);
 }
@@ -333,7 +333,7 @@ fn what_is_cut_free_is_warned_of_and_comes_down_with_its_stage_and_place_named()
     assert_eq!(String::from_utf8(bytes(folder, "out", "stages.csv")).unwrap().lines().count(), 2);
     // There is no rest to begin with.
     change(folder, "[[monitor]]", &format!("{SHAKING}[[monitor]]"));
-    let from = run(folder, "from", &["--from", "out"]);
+    let from = run(folder, "from", &["--start-from", "out"]);
     assert_eq!(code(&from), 2);
     assert!(errors(&from).contains("went through its stages"), "{}", errors(&from));
 }

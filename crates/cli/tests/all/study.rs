@@ -102,7 +102,7 @@ fn bytes(folder: &Path, file: &str) -> Vec<u8> {
 fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
     let folder = folder(STUDY);
     let folder = folder.path();
-    let done = study(folder, &["--out", "one", "--at-once", "1"]);
+    let done = study(folder, &["--out", "one", "--jobs", "1"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let table = String::from_utf8(bytes(folder, "one/study.csv")).unwrap();
     assert_eq!(table.lines().filter(|line| line.contains(",done,")).count(), 8, "{table}");
@@ -137,7 +137,7 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
     assert!(!said(&again).contains('…') && said(&again).contains("8 at their end"), "{}", said(&again));
 
     // Several at once; two shares that know nothing of one another, put together.
-    let done = study(folder, &["--out", "three", "--at-once", "3"]);
+    let done = study(folder, &["--out", "three", "--jobs", "3"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     same("three");
     for share in ["2/2", "1/2"] {
@@ -148,7 +148,7 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
 
     // Without a shared hand-over every byte of the tables of a run is the same.
     let shared = fs::read_to_string(folder.join("one/runs/s1_north_0.04-m-s/results/log.txt")).unwrap();
-    assert!(shared.contains("--from"), "{shared}");
+    assert!(shared.contains("--start-from"), "{shared}");
     fs::write(folder.join("study.toml"), format!("{STUDY}[run]\nshare = false\n")).unwrap();
     let done = study(folder, &["--out", "unshared"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
@@ -163,12 +163,12 @@ fn the_table_is_the_same_at_once_in_shards_unshared_and_killed() {
 
     // Killed again and again, with its runs left alone in the middle of their work.
     for moment in [30, 70, 150, 110, 260, 40, 190] {
-        let mut child = command(folder, &["--out", "killed", "--at-once", "2"]).spawn().unwrap();
+        let mut child = command(folder, &["--out", "killed", "--jobs", "2"]).spawn().unwrap();
         std::thread::sleep(Duration::from_millis(moment));
         child.kill().unwrap();
         child.wait().unwrap();
     }
-    let done = study(folder, &["--out", "killed", "--at-once", "2"]);
+    let done = study(folder, &["--out", "killed", "--jobs", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     same("killed");
 
@@ -290,7 +290,7 @@ fn rising_levels_stop_where_the_limit_is() {
         );
     let folder = folder(&text);
     let folder = folder.path();
-    let done = study(folder, &["--out", "out", "--at-once", "2"]);
+    let done = study(folder, &["--out", "out", "--jobs", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let table = String::from_utf8(bytes(folder, "out/study.csv")).unwrap();
     let count = |word: &str| table.lines().filter(|line| line.contains(&format!(",{word},"))).count();
@@ -303,14 +303,14 @@ fn rising_levels_stop_where_the_limit_is() {
 fn array_tasks_of_slurm_take_the_commands_of_shares() {
     let folder = folder(STUDY);
     let place = "100% array";
-    let done = study(folder.path(), &["--out", "out", "--slurm", place, "--tasks", "3", "--at-once", "2"]);
+    let done = study(folder.path(), &["--out", "out", "--slurm", place, "--tasks", "3", "--jobs", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let script = String::from_utf8(bytes(folder.path(), &format!("{place}/study.sbatch"))).unwrap();
     for line in [
         "#SBATCH --array=1-3",
         "#SBATCH --cpus-per-task=2",
         "/100%% array/%a.log\"",
-        "--shard \"$SLURM_ARRAY_TASK_ID/3\" --at-once 2 --threads 1",
+        "--shard \"$SLURM_ARRAY_TASK_ID/3\" --jobs 2 --threads 1",
     ] {
         assert!(script.contains(line), "{script}");
     }
@@ -353,7 +353,7 @@ fn numbers_without_a_unit_are_those_of_a_study_in_si_alone() {
         said(&refused)
     );
     fs::write(folder.path().join("study.toml"), format!("units = \"SI\"\n{grid}")).unwrap();
-    let done = study(folder.path(), &["--out", "grid", "--at-once", "2"]);
+    let done = study(folder.path(), &["--out", "grid", "--jobs", "2"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let table = String::from_utf8(bytes(folder.path(), "grid/study.csv")).unwrap();
     assert_eq!(table.lines().filter(|line| line.contains(",done,")).count(), 2, "{table}");
@@ -412,12 +412,12 @@ fn hand_overs(out: &Path) -> Vec<String> {
 fn a_leader_that_was_killed_does_not_go_through_its_stages_again() {
     let folder = folder(STUDY);
     let folder = folder.path();
-    let done = study(folder, &["--out", "out", "--at-once", "1"]);
+    let done = study(folder, &["--out", "out", "--jobs", "1"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let table = bytes(folder, "out/study.csv");
     let results = folder.join("out/runs/s1_east_0.02-m-s/results");
     let log = fs::read_to_string(results.join("log.txt")).unwrap();
-    assert!(!log.contains("--from"), "{log}");
+    assert!(!log.contains("--start-from"), "{log}");
     let kept = |name: &str| fs::read(results.join(name)).unwrap();
     let (stages, monitors) = (kept("stages.csv"), kept("monitors.csv"));
     // As a run that goes on leaves it.
@@ -427,7 +427,7 @@ fn a_leader_that_was_killed_does_not_go_through_its_stages_again() {
     let began = results.join("checkpoint/hand-over.bin");
     let when = fs::metadata(&began).unwrap().modified().unwrap();
 
-    let again = study(folder, &["--out", "out", "--at-once", "2"]);
+    let again = study(folder, &["--out", "out", "--jobs", "2"]);
     assert_eq!(again.status.code(), Some(0), "{}", said(&again));
     assert_eq!(
         fs::metadata(&began).unwrap().modified().unwrap(),
@@ -438,7 +438,7 @@ fn a_leader_that_was_killed_does_not_go_through_its_stages_again() {
     assert!(kept("stages.csv") == stages && kept("monitors.csv") == monitors);
     assert!(bytes(folder, "out/study.csv") == table);
     let other = folder.join("out/runs/s1_north_0.02-m-s/results/log.txt");
-    assert!(fs::read_to_string(other).unwrap().contains("--from"));
+    assert!(fs::read_to_string(other).unwrap().contains("--start-from"));
 
     // Of another version they cannot be gone on from: it begins anew.
     fs::write(&began, "of another version").unwrap();
@@ -612,7 +612,7 @@ fn a_record_keeps_what_the_case_makes_of_another_component() {
     let study_with =
         |record: &str| fs::write(folder.join("study.toml"), STUDY.replace(north, record)).unwrap();
     study_with("");
-    let done = study(folder, &["--out", "out", "--at-once", "1"]);
+    let done = study(folder, &["--out", "out", "--jobs", "1"]);
     assert_eq!(done.status.code(), Some(0), "{}", said(&done));
     let case = |run: &str| fs::read_to_string(folder.join(format!("out/runs/{run}/case.toml"))).unwrap();
     assert!(case("s1_east_0.02-m-s").contains("up = { factor = 0.5, from = \"east\" }"));

@@ -134,7 +134,7 @@ fn a_model_too_large_to_be_meant_is_told_before_its_mesh_is_made() {
     assert_eq!(code(&tremolite(at, &[&deep[..], &["--strict"]].concat())), 1);
 
     let coarse = ["--set", "mesh.caverns.far=\"500 m\""];
-    for more in [&coarse[..], &[&coarse[..], &["--all"]].concat()] {
+    for more in [&coarse[..], &[&coarse[..], &["--ignore-resources"]].concat()] {
         let done = tremolite(at, &[&deep[..], more].concat());
         let text = String::from_utf8_lossy(&done.stdout).into_owned();
         assert!(errors(&done).contains("20000 m of rock") && text.contains("Time step"), "{text}");
@@ -281,13 +281,13 @@ fn a_run_without_room_on_the_disk_is_refused_before_it_begins_and_a_long_one_tol
         ["study/case.toml", "--set", "dynamic.duration=\"100000 s\"", "--set", "output.snapshots=\"5 ms\""];
     let refused = tremolite(folder.path(), &[&["run"][..], &much].concat());
     assert_eq!(code(&refused), 2, "{}", errors(&refused));
-    for words in ["of disk, beyond 80 % of the", "`snapshots`", "--allow runs it all the same"] {
+    for words in ["of disk, beyond 80 % of the", "`snapshots`", "--ignore-resources runs it all the same"] {
         assert!(errors(&refused).contains(words), "{words}: {}", errors(&refused));
     }
     assert!(!folder.path().join("results").exists());
     let checked = tremolite(folder.path(), &[&["check"][..], &much].concat());
     assert_eq!(code(&checked), 0);
-    assert!(errors(&checked).contains("`run` would refuse it without --allow"), "{}", errors(&checked));
+    assert!(errors(&checked).contains("`run` would refuse it without --ignore-resources"), "{}", errors(&checked));
     let strict = tremolite(folder.path(), &[&["check", "--strict"][..], &much].concat());
     assert_eq!(code(&strict), 1);
 }

@@ -160,7 +160,7 @@ class Study:
         `RunWarning`.
         """
         options: list[Any] = []
-        for option, value in (("--at-once", at_once), ("--threads", threads), ("--only", only), ("--retry", retry)):
+        for option, value in (("--jobs", at_once), ("--threads", threads), ("--only", only), ("--retry", retry)):
             options += [] if value is None else [option, value]
         if shard is not None:
             k, of = shard
@@ -178,7 +178,7 @@ class Study:
     ) -> Path:
         """Writes a script of array tasks for Slurm into a folder, runs nothing, and returns the script's path."""
         options: list[Any] = ["--slurm", os.fspath(folder)]
-        for option, value in (("--tasks", tasks), ("--at-once", at_once), ("--threads", threads)):
+        for option, value in (("--tasks", tasks), ("--jobs", at_once), ("--threads", threads)):
             options += [] if value is None else [option, value]
         self._command(options, None)
         return Path(folder, "study.sbatch")

@@ -55,7 +55,7 @@ pub(super) fn print_lines(checked: &Checked, lines: Lines) {
         }
         (count, Lines::Deciding) => {
             print(&format!(
-                "\n{count} keys are left out: `check --all` says what they are taken as, with groups, stages and constants"
+                "\n{count} keys are left out: `check --verbose` says what they are taken as, with groups, stages and constants"
             ));
         }
     }

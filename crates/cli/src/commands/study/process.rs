@@ -70,7 +70,7 @@ impl Held {
 
     /// Runs it or goes on with it, from what another has come to before its earthquake where that is given.
     pub fn run(&self, from: Option<&Path>, threads: usize, stop: &AtomicBool) -> Result<End, Failure> {
-        let from = from.map(|from| vec!["--overwrite".into(), "--from".into(), from.as_os_str().to_owned()]);
+        let from = from.map(|from| vec!["--overwrite".into(), "--start-from".into(), from.as_os_str().to_owned()]);
         let goes_on = self.goes_on().then(|| vec!["--resume".into()]);
         // What cannot be resumed, of another version, or shared, is refused before any computing.
         let ways = [goes_on, from, Some(vec!["--overwrite".into()])];
@@ -119,7 +119,7 @@ impl Held {
         let mut command = Command::new(program);
         command.args(before).arg("run").arg(self.folder.case()).arg("--out").arg(self.folder.results());
         // Whether there is room for so many runs at once is the study's own choice.
-        command.args(way).arg("--allow").arg("--threads").arg(threads.to_string());
+        command.args(way).arg("--ignore-resources").arg("--threads").arg(threads.to_string());
         // The lock as its input, which it never reads: the folder stays locked until it ends, whatever becomes of this process.
         command.stdin(self.lock.try_clone().map_err(failed)?);
         command.stdout(log.try_clone().map_err(failed)?).stderr(Stdio::from(log));

@@ -14,7 +14,7 @@ const TASKS: usize = 100;
 pub fn write(folder: &Path, args: &Args, out: &Path, study: &StudyFile, plan: &Plan) -> Outcome {
     let tasks = args.tasks.unwrap_or(TASKS).clamp(1, plan.chains().max(1));
     let wish = |n: Option<u32>| n.map(|n| n as usize);
-    let at_once = args.at_once.or(wish(study.run.at_once)).unwrap_or(1);
+    let at_once = args.jobs.or(wish(study.run.at_once)).unwrap_or(1);
     let threads = args.threads.or(wish(study.run.threads)).unwrap_or(4);
     let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let text = |text: &str| format!("'{}'", text.replace('\'', "'\\''"));
@@ -32,7 +32,7 @@ pub fn write(folder: &Path, args: &Args, out: &Path, study: &StudyFile, plan: &P
          # Time to write checkpoints before the limit; set the limit, the memory and the partition by your cluster.\n\
          #SBATCH --signal=B:TERM@120\n\
          #SBATCH --time=24:00:00\n\
-         exec {command} --shard \"$SLURM_ARRAY_TASK_ID/{tasks}\" --at-once {at_once} --threads {threads}\n",
+         exec {command} --shard \"$SLURM_ARRAY_TASK_ID/{tasks}\" --jobs {at_once} --threads {threads}\n",
         plan.runs.len(),
         at_once,
         tremolite_study::plan::slug(&name),
