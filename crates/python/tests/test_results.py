@@ -52,9 +52,9 @@ def test_summary_verdict_and_trust_are_objects(result):
     assert result.reliance.class_ in ("sound", "with_reservations", "not_to_be_used")
     assert "State: not judged. Reliance: " in result.verdict
     assert result.summary.model.elements == result.summary["model"]["elements"] == 10
-    assert result.trust["free_field_theory"].pass_ is True
-    assert all(not line.pass_ for line in result.trust.failed)
-    assert "limit" in repr(result.trust) and result.title in result._repr_html_()
+    assert result.checks["free_field_theory"].pass_ is True
+    assert all(not line.pass_ for line in result.checks.failed)
+    assert "limit" in repr(result.checks) and result.title in result._repr_html_()
     with pytest.raises(AttributeError, match="title"):
         result.summary.titel  # noqa: B018
 

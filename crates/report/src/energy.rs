@@ -118,7 +118,7 @@ fn through_sides(source: &Source, table: &Table) -> Option<String> {
 /// How the error that is drawn and that of the check differ.
 fn beside_check(source: &Source) -> Option<String> {
     let facts = source.facts();
-    facts.soundness.trust.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable)?;
+    facts.soundness.checks.iter().find(|line| line.id == ERROR_CHECK && !line.not_applicable)?;
     Some(say!(
         source.language,
         "The error drawn includes ⅛Δt²aᵀMa, a part of the scheme that shrinks with the step. The check of the energy balance, below, \

@@ -91,7 +91,7 @@ pub fn outcome(source: &Source) -> Outcome {
     } else {
         &summary.conclusion.outcome
     };
-    Outcome { class, headline: headline.into(), text: told(language, &summary.conclusion.outcome_said, text) }
+    Outcome { class, headline: headline.into(), text: told(language, &summary.conclusion.outcome_message, text) }
 }
 
 /// What became of each structure, each a banner of its own: a sound run may show a lining that fails.
@@ -103,28 +103,28 @@ pub fn findings(language: Language, summary: &Summary) -> Vec<Outcome> {
             Severity::Through => "bad",
         },
         headline: headline(language, finding),
-        text: told(language, &finding.text_said, &finding.text),
+        text: told(language, &finding.text_message, &finding.text),
     };
     summary.conclusion.findings.iter().map(banner).collect()
 }
 
 fn headline(language: Language, finding: &Finding) -> Value {
-    let Finding { group, headline, headline_said, .. } = finding;
-    let whole = match headline_said.is_empty() {
+    let Finding { group, headline, headline_message, .. } = finding;
+    let whole = match headline_message.is_empty() {
         true => Said::default(),
-        false => said!("{group}: {headline}", group = group, headline = headline_said.clone()),
+        false => said!("{group}: {headline}", group = group, headline = headline_message.clone()),
     };
     told(language, &whole, &format!("{group}: {headline}"))
 }
 
 /// The trust table.
 pub fn checks(language: Language, summary: &Summary) -> Vec<Check> {
-    summary.soundness.trust.iter().map(|line| check(language, line)).collect()
+    summary.soundness.checks.iter().map(|line| check(language, line)).collect()
 }
 
 fn check(language: Language, line: &TrustLine) -> Check {
-    let name = told(language, &line.name_said, &line.name);
-    let note = told(language, &line.note_said, &line.note);
+    let name = told(language, &line.name_message, &line.name);
+    let note = told(language, &line.note_message, &line.note);
     if line.not_applicable {
         let value = say!(language, "not applicable");
         return Check { name, value, limit: String::new(), class: "none", mark: "–".into(), note };
@@ -149,7 +149,7 @@ pub fn warnings(language: Language, summary: &Summary) -> Vec<Value> {
         Language::English => Value::from(text.as_str()),
         Language::Chinese => in_english(text),
     };
-    summary.case.before.iter().map(set).collect()
+    summary.case.warnings.iter().map(set).collect()
 }
 
 /// Size, time step and motion.
@@ -163,7 +163,7 @@ pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
         facts.push(card(say!(language, "Nodes"), count(model.nodes), ""));
     }
     if model.steps > 0 {
-        let set_by = told(language, &model.step_set_by_said, &model.step_set_by);
+        let set_by = told(language, &model.step_set_by_message, &model.step_set_by);
         facts.push(card(say!(language, "Time step"), quantity("s", model.time_step), set_by));
         let shaking = say!(language, "{time} of shaking", time = span(model.duration));
         let levels = match (&model.elements_of_level[..], model.elements) {
@@ -181,9 +181,9 @@ pub fn model(source: &Source, summary: &Summary) -> Vec<Fact> {
     facts.extend(motion(source, summary));
     for fact in &summary.case.facts {
         facts.push(Fact {
-            label: told(language, &fact.name_said, &capital(&fact.name)),
+            label: told(language, &fact.name_message, &capital(&fact.name)),
             value: trimmed(&quantity(&fact.unit, fact.value)),
-            note: told(language, &fact.note_said, &fact.note),
+            note: told(language, &fact.note_message, &fact.note),
             class: "",
         });
     }
@@ -237,7 +237,7 @@ fn motion(source: &Source, summary: &Summary) -> Vec<Fact> {
 fn monitors(language: Language, summary: &Summary) -> Vec<Fact> {
     let place = |p: &[f64; 3]| p.map(|c| trimmed(&format!("{c:.2}").replace('-', "−"))).join(",\u{a0}");
     let mut facts = Vec::new();
-    if !summary.monitors.positions.is_empty() {
+    if !summary.monitors.monitor_positions.is_empty() {
         let places: Vec<_> = summary
             .monitors
             .positions

@@ -161,7 +161,7 @@ pub fn html(
             model: facts::model(source, &summary),
             materials: materials::tables(language, &summary),
             warnings: facts::warnings(language, &summary),
-            defaulted: summary.case.defaulted.clone(),
+            defaulted: summary.case.defaults_used.clone(),
             case: source.case.clone(),
         },
         run: Run {
@@ -187,7 +187,7 @@ fn head(source: &Source, summary: &Summary) -> Head {
         [Some(&source.monitors), Some(&source.energy), source.relaxation.as_ref()].into_iter().flatten();
     let cut = tables.any(|table| table.as_ref().is_ok_and(|t| t.cut))
         || matches!(&source.free_field, Some(Ok(found)) if found.cut);
-    let units = summary.case.bare_si.then(|| {
+    let units = summary.case.assume_si.then(|| {
         say!(
             source.language,
             "The case says units = \"SI\": its numbers without a unit are in SI, angles excepted."

@@ -63,7 +63,7 @@ pub fn chapter(source: &Source) -> Option<Chapter> {
     }];
     blocks.extend(used::block(source, &facts));
     let judged = source.utilisation.as_ref().and_then(|rows| rows.as_ref().ok());
-    let y = plane(&facts.monitors.positions);
+    let y = plane(&facts.monitors.monitor_positions);
     for (number, lining) in linings.iter().enumerate() {
         let (y, section) = lining.section(y);
         let mut block = Block { heading: lining.name.clone(), ..Block::default() };

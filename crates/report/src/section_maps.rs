@@ -34,7 +34,7 @@ fn stress(source: &Source, snapshots: &Snapshots) -> Section {
         Ok(fields) => fields,
         Err(why) => return Section::left_out(&heading, why),
     };
-    let positions = source.facts().monitors.positions;
+    let positions = source.facts().monitors.monitor_positions;
     let slice = fields.slice(plane(&positions));
     let cut = fields.cut(&slice, &["s1_max", "s1"]);
     let Some(cut) = cut.filter(|cut| cut.cells.iter().any(|cell| cell.value.is_finite())) else {
@@ -75,7 +75,7 @@ fn yielding(source: &Source, snapshots: &Snapshots) -> Section {
         (Ok(first), Ok(last)) => (first, last),
         (Err(why), _) | (_, Err(why)) => return Section::left_out(&heading, why),
     };
-    let positions = source.facts().monitors.positions;
+    let positions = source.facts().monitors.monitor_positions;
     let y = plane(&positions);
     let before = Zones::of(&first, &first.slice(y), snapshots.before());
     let after = Zones::of(&last, &last.slice(y), snapshots.after());

@@ -115,7 +115,7 @@ fn changes(language: Language, k: usize, stage: &StageSummary) -> String {
     if !stage.installed.is_empty() {
         parts.push(say!(language, "installed {groups}", groups = stage.installed.join(", ")));
     }
-    let said = |k: usize| stage.changed_said.get(k).cloned().unwrap_or_default();
+    let said = |k: usize| stage.changed_message.get(k).cloned().unwrap_or_default();
     parts.extend(stage.changed.iter().enumerate().map(|(k, text)| language.tell_or(&said(k), text)));
     match (parts.is_empty(), k) {
         (false, _) => parts.join(&say!(language, "; ")),

@@ -246,7 +246,7 @@ fn lining(source: &Source, facts: &Summary, finding: &Finding) -> VerdictLine {
     let text = match (finding.severity, number("share_cracked")) {
         (Severity::Undamaged, _) => say!(language, "{group}: no damage computed.", group = group),
         (_, None) => {
-            let headline = language.tell_or(&finding.headline_said, &finding.headline);
+            let headline = language.tell_or(&finding.headline_message, &finding.headline);
             say!(language, "{group}: {headline}", group = group, headline = headline)
         }
         (_, Some(cracked)) => {

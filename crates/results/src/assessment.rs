@@ -113,7 +113,7 @@ pub struct Reason<C> {
     pub text: String,
     /// The same as a pattern.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub text_said: Said,
+    pub text_message: Said,
 }
 
 /// Reasons that stand beside a class of state, and of reliance, which names long checks; of more the number is told.
@@ -139,7 +139,7 @@ fn judge<C: Class>(items: &[items::Item<C>], run: &items::Run) -> Judgement<C> {
             item: item.id.to_owned(),
             class: item.class,
             text: said.to_string(),
-            text_said: said,
+            text_message: said,
         })
     });
     let mut reasons: Vec<Reason<C>> = reasons.collect();
@@ -152,7 +152,7 @@ impl<C: Class> Judgement<C> {
     /// The first `most` reasons, and how many more there are.
     fn first(&self, most: usize) -> Vec<Said> {
         let mut texts: Vec<Said> =
-            self.reasons.iter().take(most).map(|reason| reason.text_said.clone()).collect();
+            self.reasons.iter().take(most).map(|reason| reason.text_message.clone()).collect();
         match self.reasons.len().saturating_sub(most) {
             0 => {}
             1 => texts.push(said!("One more reason is in summary.json.")),

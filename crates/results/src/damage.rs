@@ -32,12 +32,12 @@ pub struct Finding {
     pub headline: String,
     /// The same as a pattern; empty in files of other versions.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub headline_said: Said,
+    pub headline_message: Said,
     /// The rest, in sentences; may be empty.
     pub text: String,
     /// The same as a pattern.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub text_said: Said,
+    pub text_message: Said,
     /// What it says, by name, SI units; shares are of the group's volume.
     #[serde(deserialize_with = "number::deserialize_map")]
     pub numbers: IndexMap<String, f64>,
@@ -51,9 +51,9 @@ impl Finding {
             group: group.into(),
             severity,
             headline: headline.to_string(),
-            headline_said: headline,
+            headline_message: headline,
             text: text.to_string(),
-            text_said: text,
+            text_message: text,
             numbers: IndexMap::new(),
         }
     }

@@ -197,7 +197,7 @@ pub fn most_used(summary: &Summary) -> Option<(&str, bool, &Used)> {
 impl Summary {
     /// Whether the run reached its end and at most 1 % of the shaking, by ∫a² dt, was left out.
     pub fn is_complete(&self) -> bool {
-        let cut = self.soundness.trust.iter().any(|line| line.id == "motion_not_run" && !line.pass);
+        let cut = self.soundness.checks.iter().any(|line| line.id == "truncated_motion" && !line.pass);
         self.conclusion.status == Status::Done && !cut
     }
 }

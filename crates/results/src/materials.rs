@@ -25,7 +25,7 @@ pub struct MaterialFacts {
     pub damping: String,
     /// The same as a pattern; empty in files of other versions.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub damping_said: Said,
+    pub damping_message: Said,
     /// What is made of it.
     pub groups: Vec<MaterialGroup>,
     /// The law's parameters and constants.

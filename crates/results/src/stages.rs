@@ -17,7 +17,7 @@ pub struct StageSummary {
     pub changed: Vec<String>,
     /// The same as patterns; none in files of other versions.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub changed_said: Vec<Said>,
+    pub changed_message: Vec<Said>,
     /// Share of what was out of balance that was let go.
     #[serde(with = "number", default = "number::absent")]
     pub release: f64,

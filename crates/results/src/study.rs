@@ -60,9 +60,10 @@ pub enum RunStatus {
     /// The guard stopped it in its earthquake.
     Failed,
     /// A stage before the earthquake did not come to rest.
-    Restless,
+    #[serde(rename = "not_converged")]
+    NotConverged,
     /// The program refused its case, or was ended.
-    Broken,
+    Error,
     /// Not yet at its end.
     #[default]
     Pending,
@@ -76,8 +77,8 @@ impl RunStatus {
         match self {
             RunStatus::Done => "done",
             RunStatus::Failed => "failed",
-            RunStatus::Restless => "restless",
-            RunStatus::Broken => "broken",
+            RunStatus::NotConverged => "not_converged",
+            RunStatus::Error => "error",
             RunStatus::Pending => "pending",
             RunStatus::NotNeeded => "not-needed",
         }
@@ -209,7 +210,7 @@ pub struct StudyFragility {
     /// Why there is no curve; and the same as a pattern, empty in files of other versions.
     pub no_curve: String,
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub no_curve_said: Said,
+    pub no_curve_message: Said,
     pub bounds: Option<StudyBounds>,
     /// Why there are no bounds.
     pub no_bounds: String,

@@ -103,11 +103,11 @@ impl Summary {
 
     /// Lines of the trust report that were judged.
     pub fn judged(&self) -> usize {
-        self.soundness.trust.iter().filter(|line| !line.not_applicable).count()
+        self.soundness.checks.iter().filter(|line| !line.not_applicable).count()
     }
 
     /// Lines of the trust report that did not pass.
     pub fn warnings(&self) -> usize {
-        self.soundness.trust.iter().filter(|line| !line.pass).count()
+        self.soundness.checks.iter().filter(|line| !line.pass).count()
     }
 }

@@ -29,7 +29,7 @@ pub struct TrustLine {
     pub name: String,
     /// The same as a pattern; empty in files of other versions.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub name_said: Said,
+    pub name_message: Said,
     /// The number; NaN if it could not be had.
     #[serde(with = "number", default = "number::absent")]
     pub value: f64,
@@ -46,7 +46,7 @@ pub struct TrustLine {
     pub note: String,
     /// The same as a pattern.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub note_said: Said,
+    pub note_message: Said,
     /// Whether there was nothing to measure, as the note says; the line then neither passes nor warns.
     pub not_applicable: bool,
     /// What the value was made of, by name, SI units.
@@ -90,7 +90,7 @@ impl TrustLine {
     /// The same line with a note.
     pub fn with_note(mut self, note: Said) -> Self {
         self.note = note.to_string();
-        self.note_said = note;
+        self.note_message = note;
         self
     }
 
@@ -102,7 +102,7 @@ impl TrustLine {
 
     fn line(id: String, name: Said, value: f64, limit: f64, unit: &str) -> Self {
         let line = TrustLine { id, name: name.to_string(), value, limit, ..TrustLine::default() };
-        TrustLine { name_said: name, unit: unit.into(), ..line }
+        TrustLine { name_message: name, unit: unit.into(), ..line }
     }
 }
 
@@ -116,7 +116,7 @@ pub struct Fact {
     pub name: String,
     /// The same as a pattern; empty in files of other versions.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub name_said: Said,
+    pub name_message: Said,
     /// The number.
     #[serde(with = "number", default = "number::absent")]
     pub value: f64,
@@ -126,7 +126,7 @@ pub struct Fact {
     pub note: String,
     /// The same as a pattern.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub note_said: Said,
+    pub note_message: Said,
     /// Numbers that the note gives, by name, SI units.
     #[serde(deserialize_with = "number::deserialize_map", skip_serializing_if = "IndexMap::is_empty")]
     pub numbers: IndexMap<String, f64>,
@@ -137,11 +137,11 @@ impl Fact {
         Fact {
             id: id.into(),
             name: name.to_string(),
-            name_said: name,
+            name_message: name,
             value,
             unit: unit.into(),
             note: note.to_string(),
-            note_said: note,
+            note_message: note,
             numbers: IndexMap::new(),
         }
     }

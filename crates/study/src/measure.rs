@@ -71,7 +71,7 @@ impl<'a> Results<'a> {
 
     /// How many checks there are, but for those that say nothing of this run.
     fn checks(&self, which: Checks) -> Result<f64, String> {
-        let all = self.summary.get("trust").and_then(Value::as_array).ok_or("summary.json has no checks")?;
+        let all = self.summary.get("checks").and_then(Value::as_array).ok_or("summary.json has no checks")?;
         let is = |check: &Value, key: &str| check.get(key).and_then(Value::as_bool).unwrap_or(false);
         let counted = |check: &&Value| match which {
             _ if is(check, "not_applicable") => false,
@@ -225,7 +225,7 @@ mod tests {
     const SUMMARY: &str = r#"{
         "damage": {"a": {"volume": 1}, "a.lining": {"volume": 8.0, "measures": {"d": {"beyond": {"0.5": 2.0}}}}},
         "gap": null, "text": "no",
-        "trust": [{"id": "energy", "value": 0.01, "pass": true}, {"id": "loose", "pass": false, "monitors": "A, D"},
+        "checks": [{"id": "energy", "value": 0.01, "pass": true}, {"id": "loose", "pass": false, "monitors": "A, D"},
                   {"id": "none", "pass": true, "not_applicable": true}]
     }"#;
 
@@ -238,8 +238,8 @@ mod tests {
             ("damage.\"a.lining\".volume", 8.0),
             ("damage.'a.lining'.measures.d.beyond.\"0.5\"", 2.0),
             ("damage.a.lining.measures.d.beyond.0.5", 2.0),
-            ("trust[0].value", 0.01),
-            ("trust[energy].value", 0.01),
+            ("checks[0].value", 0.01),
+            ("checks[energy].value", 0.01),
         ] {
             assert_eq!(at(&summary, path), Ok(number), "{path}");
         }
@@ -250,8 +250,8 @@ mod tests {
             ("damage", "is no number"),
             ("text", "is no number"),
             ("text.more", "nothing stands below"),
-            ("trust.value", "write [0]"),
-            ("trust[nobody].value", "no entry [nobody]"),
+            ("checks.value", "write [0]"),
+            ("checks[nobody].value", "no entry [nobody]"),
         ] {
             let why = at(&summary, path).unwrap_err();
             assert!(why.contains(says), "{path}: {why}");
@@ -309,7 +309,7 @@ mod tests {
         }
         let of = |names: &str| {
             study(&format!(
-                "summary = 'damage.a.volume', unless = 'trust[loose].monitors', names = [{names}]"
+                "summary = 'damage.a.volume', unless = 'checks[loose].monitors', names = [{names}]"
             ))
         };
         assert_eq!([of("'A'"), of("'B', 'D'"), of("'B'")], [Ok(None), Ok(None), Ok(Some(1.0))]);

@@ -96,7 +96,7 @@ impl Outcome {
             return pending;
         }
         if let Ok(why) = fs::read_to_string(folder.broken()) {
-            return Outcome { status: RunStatus::Broken, why: why.trim().to_owned(), ..pending };
+            return Outcome { status: RunStatus::Error, why: why.trim().to_owned(), ..pending };
         }
         let results = folder.results();
         let Some(found) = Results::of(&results) else {
@@ -106,7 +106,7 @@ impl Outcome {
             "done" => RunStatus::Done,
             // A run that has shaken has books of its energy.
             "failed" if results.join("energy.csv").exists() => RunStatus::Failed,
-            "failed" => RunStatus::Restless,
+            "failed" => RunStatus::NotConverged,
             _ => RunStatus::Pending,
         };
         let why = if status == RunStatus::Done { "" } else { found.text("outcome") };

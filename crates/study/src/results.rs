@@ -139,7 +139,7 @@ pub fn ends_chain(study: &StudyFile, run: &StudyRun) -> bool {
     let measure = study.measures.iter().position(|m| m.name.value == ida.until.value);
     let beyond = measure.and_then(|k| run.measures[k]).is_some_and(|x| x > ida.above);
     // A run that was refused or ended from outside says nothing of the level.
-    beyond || matches!(run.status, RunStatus::Failed | RunStatus::Restless)
+    beyond || matches!(run.status, RunStatus::Failed | RunStatus::NotConverged)
 }
 
 /// Runs above the one that ends their chain are not needed, whatever lies there.

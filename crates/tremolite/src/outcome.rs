@@ -160,7 +160,7 @@ fn checks(trust: &[TrustLine]) -> Said {
     let passed = judged().filter(|line| line.pass).count().to_string();
     let judged = judged().count().to_string();
     let warned: Vec<Said> =
-        trust.iter().filter(|line| !line.pass).map(|line| line.name_said.clone()).collect();
+        trust.iter().filter(|line| !line.pass).map(|line| line.name_message.clone()).collect();
     match warned.is_empty() {
         true => said!("{passed} of {judged} checks of the run pass.", passed = passed, judged = judged),
         false => said!(

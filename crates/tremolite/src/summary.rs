@@ -93,7 +93,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         conclusion: Conclusion {
             status,
             outcome: run.to_string(),
-            outcome_said: run,
+            outcome_message: run,
             findings,
             ..Conclusion::default()
         },
@@ -111,7 +111,7 @@ pub fn summary(evidence: Evidence) -> Summary {
                 },
                 time_step: outcome.dt,
                 step_set_by: set_by.to_string(),
-                step_set_by_said: set_by,
+                step_set_by_message: set_by,
                 duration: outcome.taken as f64 * outcome.dt,
             },
             materials: evidence.materials,
@@ -151,7 +151,7 @@ pub fn summary(evidence: Evidence) -> Summary {
             stages: outcome.stages.clone(),
         },
         monitors: MonitorFacts {
-            positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
+            monitor_positions: plan.monitors.iter().map(|m| (m.name.clone(), m.point)).collect(),
             peaks: monitors,
             relative,
             synchrony,
@@ -169,16 +169,16 @@ pub fn summary(evidence: Evidence) -> Summary {
         },
         soundness: Soundness {
             energy: assembly.lines().map(|line| (line.name().to_owned(), outcome.balance[line])).collect(),
-            trust,
+            checks: trust,
         },
         case: CaseFacts {
             report: plan.page.clone(),
-            bare_si: evidence.bare_si,
+            assume_si: evidence.bare_si,
             before: evidence.before,
             facts,
             inputs: evidence.inputs,
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            defaulted: evidence.defaulted,
+            defaults_used: evidence.defaulted,
         },
     };
     let assessment = assess(&summary, Some(histories));

@@ -64,9 +64,9 @@ enum Retry {
     /// Stopped by the guard in their earthquake
     Failed,
     /// Not at rest before their earthquake
-    Restless,
+    NotConverged,
     /// Refused by the program, or ended from outside
-    Broken,
+    Error,
     /// All of these
     All,
 }
@@ -75,8 +75,8 @@ impl Retry {
     fn means(self, status: RunStatus) -> bool {
         match status {
             RunStatus::Failed => matches!(self, Retry::Failed | Retry::All),
-            RunStatus::Restless => matches!(self, Retry::Restless | Retry::All),
-            RunStatus::Broken => matches!(self, Retry::Broken | Retry::All),
+            RunStatus::NotConverged => matches!(self, Retry::NotConverged | Retry::All),
+            RunStatus::Error => matches!(self, Retry::Error | Retry::All),
             _ => false,
         }
     }
@@ -263,12 +263,12 @@ fn only(plan: &Plan, word: &str) -> Result<Vec<usize>, Failure> {
 /// How the runs ended, in words.
 fn told(found: &Study, chosen: &[usize]) {
     let count = |status: RunStatus| chosen.iter().filter(|run| found.runs[**run].status == status).count();
-    use RunStatus::{Broken, Done, Failed, NotNeeded, Pending, Restless};
+    use RunStatus::{Done, Error, Failed, NotConverged, NotNeeded, Pending};
     let words = [
         (Done, "at their end"),
         (Failed, "stopped by the guard in the earthquake"),
-        (Restless, "not at rest before it"),
-        (Broken, "refused or ended from outside"),
+        (NotConverged, "not at rest before it"),
+        (Error, "refused or ended from outside"),
         (NotNeeded, "not needed"),
         (Pending, "still to run"),
     ];
@@ -281,13 +281,13 @@ fn told(found: &Study, chosen: &[usize]) {
     let ended = chosen
         .iter()
         .map(|run| &found.runs[*run])
-        .filter(|run| matches!(run.status, Failed | Restless | Broken) || !run.why.is_empty());
+        .filter(|run| matches!(run.status, Failed | NotConverged | Error) || !run.why.is_empty());
     for run in ended.take(20) {
         let first: String = run.why.lines().next().unwrap_or_default().chars().take(160).collect();
         say(&format!("  {} {}: {first}", run.name, run.status.word()));
     }
-    if count(Broken) > 0 {
-        say("  --retry broken runs those again that were refused or ended from outside");
+    if count(Error) > 0 {
+        say("  --retry error runs those again that were refused or ended from outside");
     }
     for fragility in &found.fragilities {
         let name = format!("{} above {} by {}", fragility.measure, fragility.above, fragility.by);

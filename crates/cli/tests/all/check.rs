@@ -47,7 +47,7 @@ fn one_object_holds_all_that_the_text_says_and_messages_stay_on_standard_error()
         format!("{:.1} elements a shear wave", number("/motion/elements_per_wavelength")),
         format!("fewest in {}", word("/motion/coarsest")),
         format!("{} field files of", number("/estimate/field_files") + number("/estimate/stage_files")),
-        format!("{} = {}", word("/defaulted/0/key"), word("/defaulted/0/value")),
+        format!("{} = {}", word("/defaults_used/0/key"), word("/defaults_used/0/value")),
     ] {
         assert!(text.contains(&line), "'{line}' is missing:\n{text}");
     }

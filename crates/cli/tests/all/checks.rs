@@ -61,10 +61,10 @@ fn summary_of(folder: &Path) -> Summary {
 fn line<'s>(summary: &'s Summary, id: &str) -> &'s TrustLine {
     summary
         .soundness
-        .trust
+        .checks
         .iter()
         .find(|line| line.id == id)
-        .unwrap_or_else(|| panic!("{id}: {:?}", summary.soundness.trust))
+        .unwrap_or_else(|| panic!("{id}: {:?}", summary.soundness.checks))
 }
 
 /// Ground that is the same everywhere must move everywhere as its reference column: periodic sides let it, others do not,
@@ -86,7 +86,7 @@ fn sides_that_spoil_the_free_field_warn_before_and_fail_the_check_after() {
         let folder = tempfile::tempdir().unwrap();
         block(folder.path(), dynamic);
         let summary = summary_of(folder.path());
-        let model = line(&summary, "model_against_free_field");
+        let model = line(&summary, "free_field_at_model_edges");
         assert_eq!(model.pass, good, "{dynamic}: {model:?}");
         assert!(!model.not_applicable && model.numbers["peak"] > 0.0, "{dynamic}: {model:?}");
         if good {
@@ -116,12 +116,12 @@ fn every_check_has_an_id_of_its_own_and_those_that_do_not_apply_say_why() {
     let folder = tempfile::tempdir().unwrap();
     block(folder.path(), "sides = \"periodic\"");
     let summary = summary_of(folder.path());
-    let ids: Vec<&str> = summary.soundness.trust.iter().map(|line| line.id.as_str()).collect();
+    let ids: Vec<&str> = summary.soundness.checks.iter().map(|line| line.id.as_str()).collect();
     for id in [
         "elements_per_wavelength",
         "input_drift",
         "free_field_theory",
-        "model_against_free_field",
+        "free_field_at_model_edges",
         "energy_error",
         "body_energy_error",
         "energy_created_by_laws",
@@ -133,7 +133,7 @@ fn every_check_has_an_id_of_its_own_and_those_that_do_not_apply_say_why() {
     ] {
         assert_eq!(ids.iter().filter(|other| **other == id).count(), 1, "{id}: {ids:?}");
     }
-    for line in &summary.soundness.trust {
+    for line in &summary.soundness.checks {
         assert!(
             line.id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_'),
             "{}",
@@ -226,7 +226,7 @@ unit_weight = "25 kN/m3"
     std::fs::write(&case, &text).unwrap();
     let summary = summary_of(&folder);
     assert!(line(&summary, "free_field_theory").pass);
-    let model = line(&summary, "model_against_free_field");
+    let model = line(&summary, "free_field_at_model_edges");
     assert!(model.pass && model.note.contains("min-"), "{model:?}");
     let header = std::fs::read_to_string(folder.join("results/free_field.csv")).unwrap();
     for name in ["xmin-ymin.top.vx [m/s]", "ymax-xmax.base.vz_theory [m/s]", "model.surface.vx [m/s]"] {
@@ -236,12 +236,12 @@ unit_weight = "25 kN/m3"
     let text = text.replace("sides    = \"free-field\"", "sides    = \"viscous\"");
     std::fs::write(&case, &text).unwrap();
     let summary = summary_of(&folder);
-    let model = line(&summary, "model_against_free_field");
+    let model = line(&summary, "free_field_at_model_edges");
     assert!(!model.pass && model.note.contains("reference-x"), "{model:?}");
     assert!(
-        summary.case.before.iter().any(|said| said.contains("drain the wave")),
+        summary.case.warnings.iter().any(|said| said.contains("drain the wave")),
         "{:?}",
-        summary.case.before
+        summary.case.warnings
     );
 }
 

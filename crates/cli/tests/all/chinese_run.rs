@@ -41,27 +41,27 @@ fn all_that_a_run_with_stages_an_interface_bolts_and_damage_says_has_chinese() {
 
     // Laws speak English alone when they warn; this case gives them no reason.
     let mut told: Vec<(&str, &Said, &String)> = vec![
-        ("outcome", &summary.conclusion.outcome_said, &summary.conclusion.outcome),
-        ("step", &summary.computed.model.step_set_by_said, &summary.computed.model.step_set_by),
+        ("outcome", &summary.conclusion.outcome_message, &summary.conclusion.outcome),
+        ("step", &summary.computed.model.step_set_by_message, &summary.computed.model.step_set_by),
     ];
-    let lines = summary.soundness.trust.iter();
-    told.extend(lines.flat_map(|l| [(&*l.id, &l.name_said, &l.name), (&*l.id, &l.note_said, &l.note)]));
+    let lines = summary.soundness.checks.iter();
+    told.extend(lines.flat_map(|l| [(&*l.id, &l.name_message, &l.name), (&*l.id, &l.note_message, &l.note)]));
     let facts = summary.case.facts.iter();
-    told.extend(facts.flat_map(|f| [(&*f.id, &f.name_said, &f.name), (&*f.id, &f.note_said, &f.note)]));
+    told.extend(facts.flat_map(|f| [(&*f.id, &f.name_message, &f.name), (&*f.id, &f.note_message, &f.note)]));
     let findings = summary.conclusion.findings.iter();
     told.extend(
-        findings.flat_map(|f| [(&*f.id, &f.headline_said, &f.headline), (&*f.id, &f.text_said, &f.text)]),
+        findings.flat_map(|f| [(&*f.id, &f.headline_message, &f.headline), (&*f.id, &f.text_message, &f.text)]),
     );
     for stage in &summary.computed.stages {
         told.extend(
-            stage.changed_said.iter().zip(&stage.changed).map(|(said, text)| (&*stage.name, said, text)),
+            stage.changed_message.iter().zip(&stage.changed).map(|(said, text)| (&*stage.name, said, text)),
         );
     }
     told.extend(
-        summary.computed.materials.iter().map(|(name, m)| (name.as_str(), &m.damping_said, &m.damping)),
+        summary.computed.materials.iter().map(|(name, m)| (name.as_str(), &m.damping_message, &m.damping)),
     );
     for id in
-        ["damage_shell", "interface_joint", "bolts_", "bolt_slip", "held_at_the_end", "hourglass_energy"]
+        ["damage_shell", "interface_joint", "bolts_", "bolt_slip", "unreleased_force", "hourglass_energy"]
     {
         assert!(told.iter().any(|(found, ..)| found.starts_with(id)), "nothing is said of {id}");
     }
@@ -77,6 +77,6 @@ fn all_that_a_run_with_stages_an_interface_bolts_and_damage_says_has_chinese() {
     // And so it stands on the page: nothing but what was said before the run is marked as English.
     let page = fs::read_to_string(write_in(results.root(), Language::Chinese).unwrap()).unwrap();
     let english: Vec<&str> = page.split("<span lang=\"en\">").skip(1).collect();
-    assert!(english.len() == summary.case.before.len() || !missing.is_empty(), "{english:#?}");
+    assert!(english.len() == summary.case.warnings.len() || !missing.is_empty(), "{english:#?}");
     assert!(page.contains("能量误差与最大持有能量之比"));
 }

@@ -62,9 +62,9 @@ fn a_new_case_checks_runs_and_reports() {
     assert!(summary.monitors.relative["crown-wall"]["u"].max > 0.0);
     // What was shortened is seen, and no other check fails.
     let failed: Vec<&str> =
-        summary.soundness.trust.iter().filter(|t| !t.pass).map(|t| t.id.as_str()).collect();
-    assert_eq!(failed, ["motion_not_run"], "{:?}", summary.soundness.trust);
-    assert!(summary.case.defaulted.iter().any(|d| d.key == "dynamic.base.normal"));
+        summary.soundness.checks.iter().filter(|t| !t.pass).map(|t| t.id.as_str()).collect();
+    assert_eq!(failed, ["truncated_motion"], "{:?}", summary.soundness.checks);
+    assert!(summary.case.defaults_used.iter().any(|d| d.key == "dynamic.base.normal"));
 
     // A second run gets a folder of its own; a taken --out is refused, and replaced when asked.
     assert_eq!(code(&tremolite(folder.path(), &["run", "study/case.toml"])), 0);
@@ -234,7 +234,7 @@ fn what_was_left_out_is_listed_with_values_and_materials_with_what_their_laws_de
     assert_eq!(code(&run), 0, "{}", errors(&run));
     let results = folder.path().join("results/study");
     let summary = Summary::read(&results.join("summary.json")).unwrap();
-    let value = |key: &str| summary.case.defaulted.iter().find(|d| d.key == key).unwrap().value.clone();
+    let value = |key: &str| summary.case.defaults_used.iter().find(|d| d.key == key).unwrap().value.clone();
     assert!(value("material.concrete.compressive_strength").starts_with("9.9 MPa ("));
     assert!(value("dynamic.time_step").contains(" µs (") || value("dynamic.time_step").contains(" ms ("));
     let facts = &summary.computed.materials["concrete"];
@@ -264,15 +264,15 @@ fn a_new_case_runs_to_its_end_with_concrete_that_cracks() {
         let summary = Summary::read(&folder.path().join("out/summary.json")).unwrap();
         assert_eq!(summary.conclusion.status, Status::Done, "{to}");
         assert!(summary.parts.damage["hall.lining"].measures["d_tension"].largest > 0.9, "{to}");
-        for line in summary.soundness.trust.iter().filter(|line| line.name.contains("energy")) {
+        for line in summary.soundness.checks.iter().filter(|line| line.name.contains("energy")) {
             assert!(line.pass, "{to}: {line:?}");
         }
         assert!(
             summary
                 .soundness
-                .trust
+                .checks
                 .iter()
-                .any(|line| line.id == "strength_at_corners" && line.not_applicable)
+                .any(|line| line.id == "plateau_corner_strength" && line.not_applicable)
         );
     }
 }

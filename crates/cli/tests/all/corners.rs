@@ -48,7 +48,7 @@ histories = "0.005 s"
         60.0 / size
     );
     let summary = run(folder, &case);
-    let warned = summary.case.before.join("\n");
+    let warned = summary.case.warnings.join("\n");
     (summary, warned)
 }
 
@@ -58,7 +58,7 @@ fn a_plateau_in_small_elements_is_warned_of_and_fails_and_the_crack_band_on_the_
     let folder = folder.path();
     const RESIDUAL: &str = "evolution = \"residual\"\nresidual_tension = 0.1";
     let (small, warned) = column(folder, 0.5, RESIDUAL, 1.0);
-    let failing = line(&small, "strength_at_corners_rock");
+    let failing = line(&small, "plateau_corner_strength_rock");
     // α + (1 − α) √(πh/(2 l_ch)); every element is a cube of 0.5 m.
     let left = 0.1 + 0.9 * (std::f64::consts::FRAC_PI_2 * 0.5 / LENGTH).sqrt();
     assert!(!failing.pass && (failing.value / left - 1.0).abs() < 1e-6, "{failing:?}");
@@ -74,16 +74,16 @@ fn a_plateau_in_small_elements_is_warned_of_and_fails_and_the_crack_band_on_the_
     // The default.
     let (band, warned) = column(folder, 0.5, "", 1.0);
     assert!(band.parts.damage["rock"].measures["d_tension"].largest > 0.9, "it cracks as well");
-    assert!(line(&band, "strength_at_corners").not_applicable && !warned.contains("plateau"), "{warned}");
+    assert!(line(&band, "plateau_corner_strength").not_applicable && !warned.contains("plateau"), "{warned}");
 
     let (large, warned) = column(folder, 2.0, RESIDUAL, 1.0);
-    let passing = line(&large, "strength_at_corners_rock");
+    let passing = line(&large, "plateau_corner_strength_rock");
     assert!(passing.pass && passing.value == 1.0 && passing.numbers["cracked"] > 0.0, "{passing:?}");
     assert!(!warned.contains("plateau"), "{warned}");
 
     // What bears it though its corners are too weak is right.
     let (whole, warned) = column(folder, 0.5, RESIDUAL, 0.05);
-    let whole = line(&whole, "strength_at_corners_rock");
+    let whole = line(&whole, "plateau_corner_strength_rock");
     assert!(whole.pass && whole.value == 1.0 && whole.note.contains("none of it has cracked"), "{whole:?}");
     assert!(warned.contains("plateau"), "{warned}");
 }

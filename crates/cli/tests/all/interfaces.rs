@@ -105,10 +105,10 @@ fn summary_of(folder: &Path) -> Summary {
 fn line<'s>(summary: &'s Summary, id: &str) -> &'s TrustLine {
     summary
         .soundness
-        .trust
+        .checks
         .iter()
         .find(|line| line.id == id)
-        .unwrap_or_else(|| panic!("{id}: {:?}", summary.soundness.trust))
+        .unwrap_or_else(|| panic!("{id}: {:?}", summary.soundness.checks))
 }
 
 const GOOD: &str = "law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\ncohesion = \"10 kPa\"\nfriction = 0.6\n";
@@ -118,10 +118,10 @@ const LINES: [&str; 8] = [
     "energy_created_by_interfaces",
     "interface_closure_joint",
     "interface_slip_joint",
-    "interface_straight_joint",
-    "interface_impacts_joint",
-    "interface_step_joint",
-    "interface_chosen_joint",
+    "contact_above_pressure_limit_joint",
+    "contact_energy_error_joint",
+    "contact_frequency_step_joint",
+    "contact_penalty_compliance_joint",
 ];
 
 #[test]
@@ -140,9 +140,9 @@ fn each_check_of_an_interface_has_a_model_that_fails_it() {
             [2.0, 2.0],
         ),
         ("interface_slip_joint", GOOD.replace("0.6", "0").replace("\"10 kPa\"", "\"0 Pa\""), "", [40.0, 0.0]),
-        ("interface_straight_joint", format!("{GOOD}pressure_for_step = \"1 kPa\""), "", [2.0, 2.0]),
+        ("contact_above_pressure_limit_joint", format!("{GOOD}pressure_for_step = \"1 kPa\""), "", [2.0, 2.0]),
         (
-            "interface_impacts_joint",
+            "contact_energy_error_joint",
             GOOD.replace("20 GPa/m", "400 GPa/m").replace("10 kPa", "0 Pa") + "contact_damping = 0.0",
             "time_step = \"0.1 ms\"",
             [2.0, 20.0],
@@ -155,17 +155,17 @@ fn each_check_of_an_interface_has_a_model_that_fails_it() {
             [2.0, 2.0],
         ),
         ("interface_without_initial_stress", GOOD.to_owned(), "", [2.0, 2.0]),
-        ("interface_step_joint", format!("{GOOD}contact_limit = 0.05"), "time_step = \"0.1 ms\"", [2.0, 2.0]),
+        ("contact_frequency_step_joint", format!("{GOOD}contact_limit = 0.05"), "time_step = \"0.1 ms\"", [2.0, 2.0]),
         // Where the step is given the choice keeps to it, however soft that makes the joint.
         (
-            "interface_chosen_joint",
+            "contact_penalty_compliance_joint",
             GOOD.replace("normal_stiffness = \"20 GPa/m\"\n", ""),
             "time_step = \"0.5 ms\"",
             [2.0, 2.0],
         ),
     ];
     for (id, joint, dynamic, peaks) in bad {
-        let model = if id == "interface_impacts_joint" { rattle } else { slab };
+        let model = if id == "contact_energy_error_joint" { rattle } else { slab };
         model(folder.path(), &joint, dynamic, peaks);
         // What impacts give out may stop the run.
         let _ = tremolite(folder.path(), &["run", "case.toml", "--out", "results", "--overwrite"]);
@@ -331,7 +331,7 @@ fn chosen_stiffnesses_pass_their_own_check_and_leave_given_pressures_as_they_are
         assert!(check(&joint)["interfaces"]["joint"]["chosen"].as_bool().unwrap());
         slab(folder.path(), &joint, "duration = \"0.01 s\"", [2.0, 2.0]);
         let summary = summary_of(folder.path());
-        let found = line(&summary, "interface_chosen_joint");
+        let found = line(&summary, "contact_penalty_compliance_joint");
         assert!(found.pass && !found.not_applicable, "{found:?}");
         let stiffness = found.numbers["normal_stiffness"];
         assert!((found.value * stiffness / (2.4e9 / 4.0) - 1.0).abs() < 1e-9, "{found:?}");

@@ -121,7 +121,7 @@ fn documents_name_paths_that_summary_json_has() {
             let found = parts(&named);
             // The slots of a note are there where the check has found something.
             let known =
-                found.iter().position(|part| part == "note_said").map_or(&found[..], |end| &found[..=end]);
+                found.iter().position(|part| part == "note_message").map_or(&found[..], |end| &found[..=end]);
             assert!(holds(&summary, known), "{}: summary.json has no `{named}`", path.display());
             seen += 1;
         }
@@ -129,7 +129,7 @@ fn documents_name_paths_that_summary_json_has() {
     assert!(seen >= 9, "{seen} paths were found");
     assert!(!holds(&summary, &parts("parts.damage.*.cracks.directions")));
     assert_eq!(parts("damage.\"a.b\".volume"), ["damage", "*", "volume"]);
-    assert_eq!(parts("trust[some.id].note"), ["trust", "*", "note"]);
+    assert_eq!(parts("checks[some.id].note"), ["checks", "*", "note"]);
 }
 
 /// An elastic lining is judged by its section alone, and tension beyond the section's strength is a finding.
@@ -166,7 +166,7 @@ fn a_stage_in_ground_without_stress_raises_no_false_alarm() {
     assert!(output.status.success(), "{}", errors(&output));
     let summary = Summary::read(&folder.join("out/summary.json")).unwrap();
     for id in ["initial_motion", "initial_motion_local"] {
-        let line = summary.soundness.trust.iter().find(|line| line.id == id).unwrap();
+        let line = summary.soundness.checks.iter().find(|line| line.id == id).unwrap();
         assert!(line.not_applicable && line.note.contains("nothing moved"), "{line:?}");
     }
 }

@@ -156,7 +156,7 @@ fn bad_files_are_refused_with_file_line_and_way_out_and_nothing_is_written() {
 }
 
 #[test]
-fn defaults_and_what_is_unusual_are_said() {
+fn defaults_and_what_is_unusual_are_message() {
     let folder = folder(&JOINT.replace("0.7", "35"), &format!("{NAMES}0,0,0,0\n"));
     let output = law(folder.path(), &[]);
     assert_eq!(status(&output), 0, "{}", errors(&output));

@@ -242,7 +242,7 @@ fn a_motion_of_zeros_is_run_as_a_test_of_rest() {
     let text = std::fs::read_to_string(folder.path().join("out/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
     let failed: Vec<&serde_json::Value> =
-        summary["trust"].as_array().unwrap().iter().filter(|line| line["pass"] != true).collect();
+        summary["checks"].as_array().unwrap().iter().filter(|line| line["pass"] != true).collect();
     assert!(failed.is_empty(), "{failed:#?}");
     let rows = std::fs::read_to_string(folder.path().join("out/monitors.csv")).unwrap();
     let still = |line: &str| line.split(',').skip(1).all(|cell| cell.parse::<f64>().unwrap() == 0.0);

@@ -71,7 +71,7 @@ fn level_ground_rests_across_a_plane_whether_joined_or_not() {
         let output = run(folder.path(), &case, out);
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let summary = summary(folder.path(), out);
-        let trust = summary["trust"].as_array().unwrap();
+        let trust = summary["checks"].as_array().unwrap();
         let check = |id: &str| trust.iter().find(|t| t["id"] == id).unwrap()["value"].as_f64().unwrap();
         // What weight in one-point wedges leaves of a linear stress: a hundredth at the worst place, by an element's height.
         assert!(check("initial_stress_change") < 0.005, "{out}");

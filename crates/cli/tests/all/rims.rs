@@ -58,7 +58,7 @@ fn checks(folder: &Path) -> Vec<(f64, bool, String)> {
     assert_eq!(code(&run), 0, "{}", errors(&run));
     let summary: Value = serde_json::from_slice(&bytes(folder, "out", "summary.json")).unwrap();
     let line = |id: &str| {
-        let lines = summary["trust"].as_array().unwrap();
+        let lines = summary["checks"].as_array().unwrap();
         let line = lines.iter().find(|line| line["id"] == id).unwrap();
         let note = line["note"].as_str().unwrap().to_owned();
         (line["value"].as_f64().unwrap(), line["pass"].as_bool().unwrap(), note)

@@ -61,7 +61,7 @@ histories = "0.005 s"
         .unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     let summary = Summary::read(&folder.join("results/summary.json")).unwrap();
-    let line = |id: &str| summary.soundness.trust.iter().find(|line| line.id == id).unwrap().clone();
+    let line = |id: &str| summary.soundness.checks.iter().find(|line| line.id == id).unwrap().clone();
     (line("interface_ringing_joint"), line("interface_slip_joint").numbers["slip"])
 }
 

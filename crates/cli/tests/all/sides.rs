@@ -128,7 +128,7 @@ fn model(folder: &Path) -> Value {
     let check = tremolite(folder, &["check", "case.toml", "--json"]);
     assert_eq!(check.status.code(), Some(0), "{}", errors(&check));
     let mut found: Value = serde_json::from_slice(&check.stdout).unwrap();
-    for key in ["estimate", "mesh_rotation", "defaulted"] {
+    for key in ["estimate", "mesh_rotation", "defaults_used"] {
         assert!(found.as_object_mut().unwrap().remove(key).is_some(), "{key}");
     }
     // Which of many equal elements is named goes by round-off.
@@ -240,7 +240,7 @@ fn a_box_that_is_turned_back_moves_as_the_straight_one_between_free_field_sides(
         let out = folder.join(out);
         let summary = tremolite_results::Summary::read(&out.join("summary.json")).unwrap();
         let corners =
-            summary.soundness.trust.iter().find(|line| line.id == "model_against_free_field").unwrap();
+            summary.soundness.checks.iter().find(|line| line.id == "free_field_at_model_edges").unwrap();
         assert!(corners.pass && corners.value < 1e-9, "{degrees}: {corners:?}");
         tremolite_results::Table::read(&out.join("free_field.csv")).unwrap()
     };

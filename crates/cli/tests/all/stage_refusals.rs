@@ -97,12 +97,12 @@ fn checks_of_what_came_before_fail_where_they_should() {
         assert_eq!(code(&run), 0, "{}", errors(&run));
         let summary: Value = serde_json::from_slice(&bytes(folder, "out", "summary.json")).unwrap();
         let line = |id: &str| {
-            let lines = summary["trust"].as_array().unwrap();
+            let lines = summary["checks"].as_array().unwrap();
             let line = lines.iter().find(|line| line["id"] == id).unwrap();
             let judged = line["not_applicable"] != Value::Bool(true);
             (id.to_owned(), judged.then(|| line["pass"].as_bool().unwrap()))
         };
-        ["held_at_the_end", "initial_motion", "initial_stress_change"].map(line).to_vec()
+        ["unreleased_force", "initial_motion", "initial_stress_change"].map(line).to_vec()
     };
     let verdicts = |found: Vec<(String, Option<bool>)>| -> Vec<Option<bool>> {
         found.into_iter().map(|(_, pass)| pass).collect()

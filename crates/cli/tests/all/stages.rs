@@ -213,7 +213,7 @@ fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
     same(folder, "damped", "later", &HISTORIES);
     let summary = Summary::read(&folder.join("whole/summary.json")).unwrap();
     let of_joint = |id: &str| id.starts_with("interface_") || id == "energy_created_by_interfaces";
-    for line in summary.soundness.trust.iter().filter(|line| of_joint(&line.id)) {
+    for line in summary.soundness.checks.iter().filter(|line| of_joint(&line.id)) {
         assert!(line.pass, "{line:?}");
     }
     let friction = Table::read(&folder.join("whole/energy.csv")).unwrap();

@@ -252,10 +252,10 @@ fn a_run_that_fails_stays_with_its_reason_until_it_is_asked_for_again() {
     assert_eq!(done.status.code(), Some(1), "{}", said(&done));
     assert!(said(&done).contains("1 at their end, 1 not at rest before it"), "{}", said(&done));
     let table = String::from_utf8(bytes(folder, "out/study.csv")).unwrap();
-    assert!(table.contains("restless,") && table.contains("did not come to rest"), "{table}");
+    assert!(table.contains("not_converged,") && table.contains("did not come to rest"), "{table}");
     let again = study(folder, &["--out", "out"]);
     assert!(!said(&again).contains('…'), "{}", said(&again));
-    let again = study(folder, &["--out", "out", "--retry", "restless"]);
+    let again = study(folder, &["--out", "out", "--retry", "not-converged"]);
     assert!(said(&again).contains("no-rest …") && !said(&again).contains("as-it-is …"), "{}", said(&again));
     // What the file calls otherwise now is another run; what was computed is set aside.
     fs::write(

@@ -12,7 +12,7 @@ pub fn run(folder: &Path, case: &str) -> Summary {
 }
 
 pub fn line(summary: &Summary, id: &str) -> TrustLine {
-    let found = summary.soundness.trust.iter().find(|line| line.id.starts_with(id)).cloned();
+    let found = summary.soundness.checks.iter().find(|line| line.id.starts_with(id)).cloned();
     found.unwrap_or_else(|| panic!("no {id}"))
 }
 
@@ -28,11 +28,11 @@ fn motion_that_is_cut_damped_away_or_seen_in_few_rows_fails_a_check_each() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let good = shaken(folder, "damping = { rayleigh = { mass = \"0.3 1/s\" } }", "0.01 s");
-    for id in ["motion_not_run", "mass_damping", "peaks_between_rows"] {
+    for id in ["truncated_motion", "mass_damping", "output_sampling"] {
         let line = line(&good, id);
         assert!(line.pass && !line.not_applicable, "{line:?}");
     }
-    let cut = line(&shaken(folder, "duration = \"0.52 s\"", "0.01 s"), "motion_not_run");
+    let cut = line(&shaken(folder, "duration = \"0.52 s\"", "0.01 s"), "truncated_motion");
     assert!(!cut.pass && cut.value > 0.5, "{cut:?}");
 
     let summary = shaken(folder, "damping = { rayleigh = { mass = \"8 1/s\" } }", "0.01 s");
@@ -40,16 +40,16 @@ fn motion_that_is_cut_damped_away_or_seen_in_few_rows_fails_a_check_each() {
     let expected = 8.0 / (4.0 * std::f64::consts::PI * damped.numbers["frequency"]);
     assert!(!damped.pass && (damped.value - expected).abs() < 1e-12, "{damped:?}");
     assert!(
-        summary.case.before.iter().any(|said| said.contains("rock and concrete have 1 to 5 %")),
+        summary.case.warnings.iter().any(|said| said.contains("rock and concrete have 1 to 5 %")),
         "{:?}",
-        summary.case.before
+        summary.case.warnings
     );
 
     let summary = shaken(folder, "damping = { rayleigh = { mass = \"0.3 1/s\" } }", "0.2 s");
-    let coarse = line(&summary, "peaks_between_rows");
+    let coarse = line(&summary, "output_sampling");
     assert!(!coarse.pass, "{coarse:?}");
-    let warned = |summary: &Summary| summary.case.before.iter().any(|said| said.contains("in a period of"));
-    assert!(warned(&summary) && !warned(&good), "{:?} {:?}", summary.case.before, good.case.before);
+    let warned = |summary: &Summary| summary.case.warnings.iter().any(|said| said.contains("in a period of"));
+    assert!(warned(&summary) && !warned(&good), "{:?} {:?}", summary.case.warnings, good.case.warnings);
     // What every step had is told beside the rows'.
     let rows = &summary.monitors.peaks["top"];
     assert!(rows["ax"].step_max.unwrap() > 1.2 * rows["ax"].max, "{:?}", rows["ax"]);
@@ -111,18 +111,18 @@ fn sides_and_base_beside_a_hall_are_warned_of_and_fail_as_far_as_they_spoil_its_
     let [wrong, less] = [&near, &halfway].map(|summary| stress(summary) / stress(&wide) - 1.0);
     assert!(wrong > 0.4 && (0.02..0.06).contains(&less), "{wrong} {less}");
     let [near_line, half_line, wide_line] =
-        [&near, &halfway, &wide].map(|summary| line(summary, "near_sides"));
+        [&near, &halfway, &wide].map(|summary| line(summary, "boundary_stress_change"));
     assert!(!near_line.pass && near_line.value > 0.4, "{near_line:?}");
     assert!(wide_line.pass && !wide_line.not_applicable, "{wide_line:?}");
     assert!((half_line.numbers["estimate"] - 1.5 * (5.0_f64 / 26.0).powi(2)).abs() < 2e-3, "{half_line:?}");
     let warned = |summary: &Summary| {
-        summary.case.before.iter().filter(|said| said.contains("from an opening")).count()
+        summary.case.warnings.iter().filter(|said| said.contains("from an opening")).count()
     };
-    assert_eq!([&near, &halfway, &wide].map(warned), [2, 2, 0], "{:?}", near.case.before);
+    assert_eq!([&near, &halfway, &wide].map(warned), [2, 2, 0], "{:?}", near.case.warnings);
     // Beside a mirror there is nothing to spoil.
     let mirror = hall(4, "", BARE).replace("x = \"free-field\"", "x = \"symmetry\"");
     let mirrored = run(folder, &mirror);
-    assert_eq!(warned(&mirrored), 1, "the base alone: {:?}", mirrored.case.before);
+    assert_eq!(warned(&mirrored), 1, "the base alone: {:?}", mirrored.case.warnings);
 }
 
 #[test]
@@ -161,7 +161,7 @@ install = ["hall.lining"]
 "#
         );
         let lining = "lining = { walls = \"0.5 m\", crown = \"0.5 m\" }";
-        line(&run(folder, &hall(45, lining, &more)), "lining_closure")
+        line(&run(folder, &hall(45, lining, &more)), "lining_interface_compliance")
     };
     let soft = lined("normal_stiffness = \"0.1 GPa/m\"");
     assert!(!soft.pass && soft.value > 5.0, "{soft:?}");
@@ -224,7 +224,7 @@ damping = { ratio = 0.05, band = ["1 Hz", "20 Hz"], reference = "0 Hz" }
 "#;
     let case = hall(45, lining, more).replace("[dynamic]\n", motion);
     let summary = run(folder, &case);
-    let near = line(&summary, "near_sides");
+    let near = line(&summary, "boundary_stress_change");
     assert!(near.pass && near.value > 0.0, "{near:?}");
     let fibres = line(&summary, "fibre_stress_of_intact_elements");
     assert!(fibres.pass && (0.7..1.05).contains(&fibres.value), "{fibres:?}");

@@ -33,7 +33,7 @@ def case(case: Any) -> str:
 def result(result: Any) -> str:
     """Verdict, checks that failed, and the page of a result."""
     html = f"<b>{escape(result.title)}</b> ({escape(result.status)})<p>{escape(result.verdict)}</p>"
-    failed = [[line.name, line.value, line.limit, line.unit] for line in result.trust.failed]
+    failed = [[line.name, line.value, line.limit, line.unit] for line in result.checks.failed]
     if failed:
         html += table(["check that failed", "value", "limit", "unit"], failed)
     return html + f"<p>{escape(str(result.path / 'report.html'))}</p>"

@@ -52,7 +52,7 @@ def _object(value: Any) -> Any:
     return value
 
 
-class Trust(Sequence[Record]):
+class Checks(Sequence[Record]):
     """The checks of a run: each has id, name, value, limit, unit, pass_ and note."""
 
     def __init__(self, lines: Iterable[Mapping[str, Any]]) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ._fields import Fields
-from ._record import Record, Trust
+from ._record import Checks, Record
 from ._rows import heads, rows
 from ._tables import Monitors, OwnTables, Table
 from ._tremolite import Error, check_folder, differences, write_comparison, write_page
@@ -69,9 +69,9 @@ class Result:
         return list(self.summary["findings"])
 
     @property
-    def trust(self) -> Trust:
-        """The checks that say how far to trust it."""
-        return Trust(self.summary.to_dict()["trust"])
+    def checks(self) -> Checks:
+        """The checks of the run: each compares a number with its limit."""
+        return Checks(self.summary.to_dict()["checks"])
 
     @property
     def case(self) -> Any:

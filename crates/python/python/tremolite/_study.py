@@ -154,7 +154,7 @@ class Study:
 
         What is done stays and what has a checkpoint goes on, so a study that was stopped is started again in the same words. `only` is a
         word in names of runs; `shard=(3, 8)` the third of eight shares, for other machines or other processes; `retry` "failed",
-        "restless", "broken" or "all" runs those again. `progress(line)` is told what the command says.
+        "not-converged", "error" or "all" runs those again. `progress(line)` is told what the command says.
 
         Ctrl-C stops all runs with their checkpoints and raises `Stopped`. Runs that did not come to their earthquake are warned of by
         `RunWarning`.

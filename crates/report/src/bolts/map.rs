@@ -138,7 +138,7 @@ fn staged(source: &Source) -> bool {
 fn cut(source: &Source) -> Option<Cut> {
     let [fields, stages] = [source.folder.pvd(), source.folder.stages_pvd()];
     let paths = if source.shakes() { [fields, stages] } else { [stages, fields] };
-    let positions = source.facts().monitors.positions;
+    let positions = source.facts().monitors.monitor_positions;
     paths.into_iter().filter(|path| path.exists()).find_map(|path| {
         let pvd = Pvd::read(&path).ok()?;
         let file = source.fields.at(&pvd, pvd.snapshots().last()?).ok()?;

@@ -14,8 +14,8 @@ pub const TEXTS: Texts = &[
     ("{some} refused or ended from outside", "{some} 次被程序拒绝或从外部终止"),
     ("{some} not needed: a lower level was beyond the limit", "{some} 次无需计算：较低水平已超过限值"),
     ("{some} still to run", "{some} 次尚待计算"),
-    ("restless", "未平衡"),
-    ("broken", "中断"),
+    ("not converged", "未平衡"),
+    ("run error", "运行出错"),
     ("not-needed", "无需计算"),
     ("pending", "待算"),
     (

@@ -133,9 +133,9 @@ fn used(summary: &Summary, language: Language) -> Vec<(String, f64)> {
 pub fn checks(runs: &[Run], language: Language) -> TextTable {
     let facts: Vec<Summary> = runs.iter().map(|run| run.source.facts()).collect();
     let mut ids: Vec<(&str, String)> = Vec::new();
-    for line in facts.iter().flat_map(|s| &s.soundness.trust) {
+    for line in facts.iter().flat_map(|s| &s.soundness.checks) {
         if !ids.iter().any(|(id, _)| *id == line.id) {
-            ids.push((&line.id, language.tell_or(&line.name_said, &line.name)));
+            ids.push((&line.id, language.tell_or(&line.name_message, &line.name)));
         }
     }
     let entry = |line: Option<&TrustLine>| match line {
@@ -147,7 +147,7 @@ pub fn checks(runs: &[Run], language: Language) -> TextTable {
         }
     };
     let rows = ids.into_iter().map(|(id, name)| {
-        let found = facts.iter().map(|s| entry(s.soundness.trust.iter().find(|line| line.id == id)));
+        let found = facts.iter().map(|s| entry(s.soundness.checks.iter().find(|line| line.id == id)));
         std::iter::once(Cell::words(name)).chain(found).collect()
     });
     TextTable { head: vec![head(runs)], rows: rows.collect() }

@@ -89,9 +89,9 @@ impl Scene {
         if !inside.contains(&true) {
             return Err(say!(language, "Nothing is damaged in the last field file."));
         }
-        let slice = last.slice(plane(&facts.monitors.positions));
+        let slice = last.slice(plane(&facts.monitors.monitor_positions));
         let sheets = Sheets::of(&last, &inside);
-        Ok(Scene { first, last, slice, inside, sheets, positions: facts.monitors.positions })
+        Ok(Scene { first, last, slice, inside, sheets, positions: facts.monitors.monitor_positions })
     }
 
     fn before_and_after(&self, source: &Source, snapshots: &Snapshots, heading: String) -> Section {

@@ -74,7 +74,7 @@ pub fn key_results(source: &Source) -> Vec<Fact> {
             .map(|(value, note)| card(say!(language, "Force of the bolt nearest to yield"), value, note)),
     );
     // The check of the balance says it; only summaries without that leave it to the table.
-    let checked = facts.soundness.trust.iter().any(|line| line.id == "energy_error");
+    let checked = facts.soundness.checks.iter().any(|line| line.id == "energy_error");
     let of_table = || source.energy.as_ref().ok().and_then(worst_error);
     if let Some((error, ratio)) = (!checked).then(of_table).flatten() {
         let energy = source.quantity(Kind::Energy, error);

@@ -65,7 +65,7 @@ fn table(language: Language, name: &str, facts: &MaterialFacts) -> MaterialTable
             .collect(),
         density: quantity("kg/m3", facts.density.round()),
         speeds: format!("{}, {}", speed(facts.wave_speed_p), speed(facts.wave_speed_s)),
-        damping: told(language, &facts.damping_said, &facts.damping),
+        damping: told(language, &facts.damping_message, &facts.damping),
         given: rows(false),
         derived: rows(true),
     }

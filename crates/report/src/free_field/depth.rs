@@ -225,5 +225,5 @@ fn monitors(table: &Table, facts: &Summary, quantity: &str, scale: &Scale) -> Ve
         let peaks = facts.monitors.peaks.get(name)?.get(quantity)?;
         Some((size(peaks) * scale.factor, at[2] - top))
     };
-    facts.monitors.positions.iter().filter_map(dot).collect()
+    facts.monitors.monitor_positions.iter().filter_map(dot).collect()
 }

@@ -17,7 +17,7 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
     let language = source.language;
     let (Some(Ok(motion)), Some(Ok(found))) = (&source.motion, &source.free_field) else { return None };
     let facts = source.facts();
-    facts.computed.motion.deconvolved.as_ref().filter(|_| !facts.monitors.positions.contains_key(RECORD))?;
+    facts.computed.motion.deconvolved.as_ref().filter(|_| !facts.monitors.monitor_positions.contains_key(RECORD))?;
     let time = motion.column("time")?;
     let panel = |&(axis, values): &(usize, &[f64])| {
         let own = &found.record[axis];
@@ -53,7 +53,7 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
          into which the wave went. The thin line should lie on the broad one."
     );
     let check =
-        facts.soundness.trust.iter().find(|line| line.id == "record_at_its_place" && !line.not_applicable);
+        facts.soundness.checks.iter().find(|line| line.id == "record_at_its_place" && !line.not_applicable);
     if let Some(check) = check {
         caption.push_str(&say!(
             language,

@@ -33,7 +33,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
         Ok(fields) => fields,
         Err(why) => return Section::left_out(&heading, why),
     };
-    let slice = fields.slice(plane(&facts.monitors.positions));
+    let slice = fields.slice(plane(&facts.monitors.monitor_positions));
     let Some(motion) = fields.vectors(&slice, "displacement") else {
         let why = say!(language, "The field files have no displacement with three components.");
         return Section::left_out(&heading, why);
@@ -69,7 +69,7 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
             when = time
         ),
     };
-    Section::Drawn(vec![figure(source, &heading, &slice, &cut, &motion, why, &facts.monitors.positions)])
+    Section::Drawn(vec![figure(source, &heading, &slice, &cut, &motion, why, &facts.monitors.monitor_positions)])
 }
 
 /// The pair of monitors that moved most against each other, when, and how far; of those that did not come loose.

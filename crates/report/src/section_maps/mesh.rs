@@ -17,7 +17,7 @@ const LINING: &str = "#b9c6d3";
 /// The section of the page; nothing where no field file tells the bodies apart.
 pub fn section(source: &Source) -> Option<Section> {
     let language = source.language;
-    let positions = source.facts().monitors.positions;
+    let positions = source.facts().monitors.monitor_positions;
     let of_file = |path: &std::path::Path| {
         let pvd = Pvd::read(path).ok()?;
         let last = pvd.snapshots().last()?;

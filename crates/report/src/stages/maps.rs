@@ -44,7 +44,7 @@ pub fn block(source: &Source, facts: &Summary) -> Option<Block> {
         Ok(file) => file,
         Err(why) => return left_out(why),
     };
-    let positions = &facts.monitors.positions;
+    let positions = &facts.monitors.monitor_positions;
     let slice = file.slice(plane(positions));
     let zones = Zones::of(&file, &slice, when.clone());
     let files = Files { zones: "stage-plastic.svg", strain: "stage-plastic-strain.svg" };

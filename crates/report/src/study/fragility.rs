@@ -95,7 +95,7 @@ pub fn caption(f: &StudyFragility, language: Language) -> String {
         text.push(say!(language, "Left out: {parts}.", parts = parts.join(", ")));
     }
     if !f.no_curve.is_empty() {
-        text.push(say!(language, "No curve: {why}.", why = language.tell_or(&f.no_curve_said, &f.no_curve)));
+        text.push(say!(language, "No curve: {why}.", why = language.tell_or(&f.no_curve_message, &f.no_curve)));
     }
     match &f.bounds {
         Some(b) if b.without > 0 => text.push(say!(
@@ -120,8 +120,8 @@ pub fn word(english: &str, language: Language) -> String {
         "without an intensity" => say!(language, "without an intensity"),
         "without the measure" => say!(language, "without the measure"),
         "failed" => say!(language, "failed"),
-        "restless" => say!(language, "restless"),
-        "broken" => say!(language, "broken"),
+        "not_converged" => say!(language, "not converged"),
+        "error" => say!(language, "run error"),
         "pending" => say!(language, "pending"),
         "there is one record alone, and nothing to draw from" => {
             say!(language, "there is one record alone, and nothing to draw from")

@@ -89,8 +89,8 @@ pub fn html(study: &Study, language: Language, parts: &Parts) -> Result<String, 
     let counts = [
         RunStatus::Done,
         RunStatus::Failed,
-        RunStatus::Restless,
-        RunStatus::Broken,
+        RunStatus::NotConverged,
+        RunStatus::Error,
         RunStatus::NotNeeded,
         RunStatus::Pending,
     ];
@@ -107,7 +107,7 @@ pub fn html(study: &Study, language: Language, parts: &Parts) -> Result<String, 
         )
     };
     let no_result =
-        |run: &&StudyRun| matches!(run.status, RunStatus::Failed | RunStatus::Restless | RunStatus::Broken);
+        |run: &&StudyRun| matches!(run.status, RunStatus::Failed | RunStatus::NotConverged | RunStatus::Error);
     let more = study.runs.len().saturating_sub(ROWS);
     let page = Page {
         style: markup(STYLE),
@@ -154,8 +154,8 @@ fn counted(language: Language, status: RunStatus, n: usize) -> String {
     match status {
         RunStatus::Done => say!(language, "{some} at their end", some = n),
         RunStatus::Failed => say!(language, "{some} stopped by the guard in the earthquake", some = n),
-        RunStatus::Restless => say!(language, "{some} not at rest before the earthquake", some = n),
-        RunStatus::Broken => say!(language, "{some} refused or ended from outside", some = n),
+        RunStatus::NotConverged => say!(language, "{some} not at rest before the earthquake", some = n),
+        RunStatus::Error => say!(language, "{some} refused or ended from outside", some = n),
         RunStatus::NotNeeded => {
             say!(language, "{some} not needed: a lower level was beyond the limit", some = n)
         }
@@ -168,8 +168,8 @@ fn ended(language: Language, status: RunStatus) -> String {
     match status {
         RunStatus::Done => say!(language, "done"),
         RunStatus::Failed => say!(language, "failed"),
-        RunStatus::Restless => say!(language, "restless"),
-        RunStatus::Broken => say!(language, "broken"),
+        RunStatus::NotConverged => say!(language, "not converged"),
+        RunStatus::Error => say!(language, "run error"),
         RunStatus::NotNeeded => say!(language, "not-needed"),
         RunStatus::Pending => say!(language, "pending"),
     }

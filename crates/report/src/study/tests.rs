@@ -73,7 +73,7 @@ fn sample() -> Study {
                 counted: 4,
                 exceeded: 2,
                 stopped_counted: 1,
-                left_out: vec![("restless".into(), 2)],
+                left_out: vec![("not_converged".into(), 2)],
                 ..StudyFragility::default()
             },
             StudyFragility {
@@ -97,7 +97,7 @@ fn the_page_says_what_is_counted_and_what_is_not() {
         "What &amp; where",
         "It became &lt;unstable&gt;.",
         "1 stopped by the guard in the earthquake and counted as beyond it",
-        "Left out: 2 restless",
+        "Left out: 2 not converged",
         "the data are separated",
         "10 of 100 samples of the bootstrap have no curve",
         "median 0.25 g",

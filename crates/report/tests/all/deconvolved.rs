@@ -81,7 +81,7 @@ pub fn recorded(root: &Path) -> ResultFolder {
     (summary.computed.motion.kind, summary.computed.motion.factor) = ("surface".into(), f64::NAN);
     summary.computed.motion.deconvolved = Some(site());
     let name = said!("computed motion at the record's place against the record");
-    summary.soundness.trust.push(TrustLine::at_most("record_at_its_place", name, 0.0173, 0.05, ""));
+    summary.soundness.checks.push(TrustLine::at_most("record_at_its_place", name, 0.0173, 0.05, ""));
     summary.write(&folder.summary()).unwrap();
     folder
 }
@@ -141,7 +141,7 @@ fn caption_and_card_say_what_was_done() {
 }
 
 #[test]
-fn other_kinds_and_older_versions_say_what_they_said() {
+fn other_kinds_and_older_versions_say_what_they_message() {
     let temp = tempfile::tempdir().unwrap();
     let folder = recorded(temp.path());
     fs::remove_file(folder.transfer()).unwrap();
@@ -286,16 +286,16 @@ fn what_came_out_at_its_place_lies_over_the_record() {
     // A check that was not made has no number.
     change(&folder, |summary| {
         let name = said!("computed motion at the record's place against the record");
-        summary.soundness.trust[0] =
+        summary.soundness.checks[0] =
             TrustLine::not_applicable("record_at_its_place", name, said!("not all stages are done"));
     });
     assert!(!page(&folder).contains("of the record's peak") && drawing(&folder, "record.svg").is_some());
     // Of a monitor called 'record' its own level is meant.
     change(&folder, |summary| {
-        summary.monitors.positions.insert("record".into(), [0.0, 0.0, -30.0]);
+        summary.monitors.monitor_positions.insert("record".into(), [0.0, 0.0, -30.0]);
     });
     none(&folder);
-    change(&folder, |summary| summary.monitors.positions.clear());
+    change(&folder, |summary| summary.monitors.monitor_positions.clear());
     free_field::free_field(&folder, &[("reference.top.vx", &too_much)]);
     none(&folder);
     free_field::free_field(

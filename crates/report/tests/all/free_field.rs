@@ -315,7 +315,7 @@ fn the_error_that_is_drawn_and_that_of_the_check_are_told_apart() {
         (TrustLine::at_most("energy_error", name(), 1e-9, 5e-4, ""), true),
         (TrustLine::not_applicable("energy_error", name(), said!("nothing moves")), false),
     ] {
-        Summary { soundness: Soundness { trust: vec![line], ..Soundness::default() }, ..Summary::default() }
+        Summary { soundness: Soundness { checks: vec![line], ..Soundness::default() }, ..Summary::default() }
             .write(&folder.summary())
             .unwrap();
         assert_eq!(page().contains(told), wanted);

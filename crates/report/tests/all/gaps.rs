@@ -43,7 +43,7 @@ fn without_a_check_the_card_of_the_energy_error_says_what_it_holds() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.soundness.trust[0].numbers.insert("error".into(), 250.0);
+    summary.soundness.checks[0].numbers.insert("error".into(), 250.0);
     summary.write(&folder.summary()).unwrap();
     assert!(!page(&folder).contains("from energy.csv, with ⅛Δt²aᵀMa"));
     fs::remove_file(folder.summary()).unwrap();

@@ -10,7 +10,7 @@ use tremolite_results::{ResultFolder, Summary};
 use crate::{bolts, deconvolved, free_field, interface_results, page, spectra, stages};
 
 /// Where moduli, speeds of waves and stiffnesses are, and what others wrote.
-const NOT_OF_THE_RUN: [&str; 6] = ["findings", "trust", "model", "materials", "defaulted", "case"];
+const NOT_OF_THE_RUN: [&str; 6] = ["findings", "checks", "model", "materials", "defaults_used", "case"];
 
 /// Units that stand in brackets behind titles, or behind a number, by what they are prefixes of.
 fn units(text: &str) -> BTreeMap<&'static str, BTreeSet<String>> {

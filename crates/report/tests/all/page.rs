@@ -81,7 +81,7 @@ pub fn results(root: &Path) -> ResultFolder {
             ..Conclusion::default()
         },
         soundness: Soundness {
-            trust: (0..4)
+            checks: (0..4)
                 .map(|k| {
                     TrustLine::at_most(format!("check_{k}"), tremolite_results::said!("check"), 0.5, 1.0, "")
                 })
@@ -95,7 +95,7 @@ pub fn results(root: &Path) -> ResultFolder {
         },
         ..Summary::default()
     };
-    summary.soundness.trust[3].pass = false;
+    summary.soundness.checks[3].pass = false;
     summary.computed.model.duration = 2.0;
     summary.parts.interfaces.insert("joint".into(), InterfaceSummary::default());
     summary.write(&folder.summary()).unwrap();
@@ -219,7 +219,7 @@ fn the_verdict_answers_in_five_lines_with_the_numbers_of_the_summary() {
     let mut summary = Summary::read(&folder.summary()).unwrap();
     summary.conclusion.findings.retain(|finding| ["hall.lining", "rock"].contains(&finding.group.as_str()));
     summary.conclusion.findings[0].group = ["hall.bench1"; 9].join(", ");
-    summary.soundness.trust[1].pass = false;
+    summary.soundness.checks[1].pass = false;
     summary.write(&folder.summary()).unwrap();
     let (question, lines) = verdict(&fs::read_to_string(write(folder.root()).unwrap()).unwrap());
     assert_eq!(question.matches("Check &#x27;check&#x27;: ").count(), 2, "{question}");

@@ -47,13 +47,13 @@ pub fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
         },
         computed: Computed { wall_seconds: 90.0, ..Computed::default() },
         soundness: Soundness {
-            trust: vec![
+            checks: vec![
                 TrustLine::at_most("energy_error", said!("energy error"), 0.0015, 0.01, "")
                     .with_note(said!("over the run")),
             ],
             ..Soundness::default()
         },
-        case: CaseFacts { defaulted: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
+        case: CaseFacts { defaults_used: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
         monitors: MonitorFacts {
             peaks: peaks_by_monitor(&Table::read(&folder.monitors()).unwrap())[0].clone(),
             ..MonitorFacts::default()
@@ -146,16 +146,16 @@ fn text_from_files_cannot_become_markup() {
     let mut summary = Summary::read(&folder.summary()).unwrap();
     summary.title = evil.into();
     summary.conclusion.verdict = format!("{{{{ 7 * 7 }}}} {evil}");
-    summary.soundness.trust[0].name = evil.into();
-    summary.soundness.trust[0].unit = "<b>".into();
-    summary.soundness.trust[0].note = evil.into();
+    summary.soundness.checks[0].name = evil.into();
+    summary.soundness.checks[0].unit = "<b>".into();
+    summary.soundness.checks[0].note = evil.into();
     summary.computed.model.step_set_by = evil.into();
     summary.computed.model.steps = 1;
     summary.computed.motion.kind = evil.into();
     summary.computed.motion.peak_acceleration.insert(evil.into(), 1.0);
     summary.computed.run.command = evil.into();
-    summary.monitors.positions.insert(evil.into(), [0.0; 3]);
-    summary.case.defaulted.push(Defaulted::new(evil, evil));
+    summary.monitors.monitor_positions.insert(evil.into(), [0.0; 3]);
+    summary.case.defaults_used.push(Defaulted::new(evil, evil));
     summary.write(&folder.summary()).unwrap();
     let page = page(&folder);
     let (page, _) = page.split_once("</main>").unwrap();
@@ -224,7 +224,7 @@ fn the_banner_tells_failed_stopped_warned_and_good_runs_apart() {
         (Status::Failed, true, "bad", "Run: failed"),
     ] {
         summary.conclusion.status = status;
-        summary.soundness.trust[0].pass = pass;
+        summary.soundness.checks[0].pass = pass;
         summary.write(&folder.summary()).unwrap();
         let page = page(&folder);
         assert!(
@@ -382,7 +382,7 @@ fn a_line_that_cannot_be_judged_counts_neither_way() {
     let temp = tempfile::tempdir().unwrap();
     let folder = results(temp.path(), &["A"]);
     let mut summary = Summary::read(&folder.summary()).unwrap();
-    summary.soundness.trust.push(TrustLine::not_applicable(
+    summary.soundness.checks.push(TrustLine::not_applicable(
         "free_field",
         said!("free field"),
         said!("the rock yields"),

@@ -22,7 +22,7 @@ pub fn shaken(root: &Path) -> ResultFolder {
     table(&folder.energy(), &[("time", "s", &time), ("kinetic", "J", &one)]);
     table(&folder.motion(), &[("time", "s", &time), ("given.ax", "m/s2", &one)]);
     let mut summary = Summary::default();
-    summary.monitors.positions.insert("A".into(), [0.0, 0.0, -30.0]);
+    summary.monitors.monitor_positions.insert("A".into(), [0.0, 0.0, -30.0]);
     let of = |max: f64| Peaks::of(&[0.0, 1.0], &[-max, max]);
     summary.monitors.peaks.entry("A".into()).or_default().insert("ax".into(), of(2.5));
     summary.write(&folder.summary()).unwrap();

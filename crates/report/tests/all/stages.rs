@@ -51,7 +51,7 @@ fn stages() -> Vec<StageSummary> {
             }),
             installed: groups(if k == 4 { &["tunnel.lining"] } else { &[] }),
             changed: if k == 5 { vec!["tunnel.lining becomes hardened concrete".into()] } else { Vec::new() },
-            changed_said: Vec::new(),
+            changed_message: Vec::new(),
             seepage: None,
             release: release[k],
             tolerance: 1e-5,
@@ -258,7 +258,7 @@ pub fn example(root: &Path, shaken: bool) -> ResultFolder {
         },
         computed: Computed { stages, ..Computed::default() },
         soundness: Soundness {
-            trust: vec![
+            checks: vec![
                 TrustLine::at_most(
                     "at_rest",
                     said!("out of balance at the end of stages, the worst"),
@@ -267,7 +267,7 @@ pub fn example(root: &Path, shaken: bool) -> ResultFolder {
                     "",
                 ),
                 TrustLine::at_most(
-                    "held_at_the_end",
+                    "unreleased_force",
                     said!("forces still held after the last stage"),
                     0.0,
                     1e-9,
@@ -278,7 +278,7 @@ pub fn example(root: &Path, shaken: bool) -> ResultFolder {
         },
         ..Summary::default()
     };
-    summary.monitors.positions.insert("A".into(), [0.0, 0.0, -195.0]);
+    summary.monitors.monitor_positions.insert("A".into(), [0.0, 0.0, -195.0]);
     summary.computed.model.elements = 816;
     summary.computed.model.nodes = 1728;
     if shaken {
@@ -403,7 +403,7 @@ fn what_the_files_do_not_hold_is_left_out_with_a_sentence() {
         stage.walls.clear();
         stage.monitors.clear();
     }
-    summary.soundness.trust.clear();
+    summary.soundness.checks.clear();
     summary.write(&folder.summary()).unwrap();
     fs::write(folder.sections(), "lining,station\n").unwrap();
     fs::remove_file(folder.stages_pvd()).unwrap();

@@ -36,7 +36,7 @@ fn judged(folder: &ResultFolder, language: Language) -> [(String, String); 2] {
 fn set(folder: &ResultFolder, findings: Vec<Finding>, pass: bool) {
     let mut summary = Summary::read(&folder.summary()).unwrap();
     summary.conclusion.findings = findings;
-    summary.soundness.trust[0].pass = pass;
+    summary.soundness.checks[0].pass = pass;
     summary.write(&folder.summary()).unwrap();
 }
 
@@ -162,14 +162,14 @@ fn limits_of_a_run_that_is_cut_short_are_not_met_yet() {
     let mut summary = Summary::read(&folder.summary()).unwrap();
     summary.case.report.limits = [("utilisation".to_owned(), 1.0)].into();
     let line = TrustLine::at_most(
-        "motion_not_run",
+        "truncated_motion",
         said!("share of the motion after the end of the run"),
         0.4,
         0.01,
         "",
     );
-    summary.soundness.trust = vec![line];
-    summary.case.before = vec!["xmin is 3.5 m from an opening; use at least 23 m".into()];
+    summary.soundness.checks = vec![line];
+    summary.case.warnings = vec!["xmin is 3.5 m from an opening; use at least 23 m".into()];
     summary.write(&folder.summary()).unwrap();
     let [(class, text), (relied, why)] = judged(&folder, Language::English);
     assert_eq!(
@@ -316,9 +316,9 @@ fn up_to_two_reasons_of_the_reliance_are_told() {
     ] {
         let mut summary = Summary::read(&folder.summary()).unwrap();
         let line =
-            |k| TrustLine { name: format!("check {k}"), pass: false, ..summary.soundness.trust[0].clone() };
-        summary.soundness.trust =
-            (1..=warn).map(|k| TrustLine { name_said: Default::default(), ..line(k) }).collect();
+            |k| TrustLine { name: format!("check {k}"), pass: false, ..summary.soundness.checks[0].clone() };
+        summary.soundness.checks =
+            (1..=warn).map(|k| TrustLine { name_message: Default::default(), ..line(k) }).collect();
         summary.write(&folder.summary()).unwrap();
         let [_, (_, why)] = judged(&folder, Language::English);
         assert!(why.contains(wanted), "{wanted}: {why}");

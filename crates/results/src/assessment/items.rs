@@ -37,9 +37,9 @@ const WAVELENGTH: f64 = 4.0;
 
 /// Checks, each with the value beyond which results are not to be used. Beyond their limit alone all set reservations.
 pub const FAR: [(&str, f64); 6] = [
-    ("motion_not_run", NOT_RUN),
+    ("truncated_motion", NOT_RUN),
     ("energy_error", ENERGY),
-    ("near_sides", BOUNDARY),
+    ("boundary_stress_change", BOUNDARY),
     ("initial_stress_change", INITIAL),
     ("initial_motion", MOTION),
     ("elements_per_wavelength", WAVELENGTH),
@@ -211,7 +211,7 @@ pub const RELIANCE: [Item<Reliance>; 6] = [
         class: Reliance::WithReservations,
         reasons: |run| {
             let message = |warning: &String| warning.split("; ").next().unwrap_or_default().to_owned();
-            let warnings = run.summary.case.before.iter();
+            let warnings = run.summary.case.warnings.iter();
             warnings
                 .map(|warning| said!("Warning of the case: {message}.", message = message(warning)))
                 .collect()
@@ -266,7 +266,7 @@ impl<'a> Run<'a> {
 
     /// A sentence for each check beyond its limit, of those that are far beyond or of the others.
     fn of_checks(&self, far: bool) -> Vec<Said> {
-        let beyond = self.summary.soundness.trust.iter().filter(|line| !line.pass && !line.not_applicable);
+        let beyond = self.summary.soundness.checks.iter().filter(|line| !line.pass && !line.not_applicable);
         beyond.filter(|line| is_far(line) == far).map(check).collect()
     }
 }
@@ -315,7 +315,7 @@ fn damaged(finding: &Finding) -> Said {
 }
 
 fn headline(finding: &Finding) -> Said {
-    let headline = spoken(&finding.headline_said, &finding.headline);
+    let headline = spoken(&finding.headline_message, &finding.headline);
     said!("{group}: {headline}.", group = &finding.group, headline = headline)
 }
 
@@ -428,8 +428,8 @@ fn not_complete(run: &Run) -> Vec<Said> {
         Status::Failed => Vec::new(),
         Status::Stopped => vec![said!("The run was stopped before its end.")],
         Status::Done => {
-            let trust = run.summary.soundness.trust.iter();
-            let cut = trust.filter(|line| line.id == "motion_not_run" && !line.pass);
+            let trust = run.summary.soundness.checks.iter();
+            let cut = trust.filter(|line| line.id == "truncated_motion" && !line.pass);
             cut.map(|line| {
                 said!("Shaking not run: {share} % (limit 1 %).", share = figures(100.0 * line.value))
             })
@@ -479,7 +479,7 @@ fn is_far(line: &TrustLine) -> bool {
 }
 
 fn check(line: &TrustLine) -> Said {
-    let name = spoken(&line.name_said, &line.name);
+    let name = spoken(&line.name_message, &line.name);
     match line.value.is_nan() {
         true => said!("Check '{name}': no value.", name = name),
         false => said!(

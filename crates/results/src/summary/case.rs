@@ -12,9 +12,9 @@ pub struct CaseFacts {
     /// How the page is to be set.
     pub report: PageWish,
     /// Whether numbers without a unit were in SI, as the case said of itself.
-    pub bare_si: bool,
+    pub assume_si: bool,
     /// What was unusual about the case before the run, a sentence each with what to do.
-    pub before: Vec<String>,
+    pub warnings: Vec<String>,
     /// What is true by construction, for people to know.
     pub facts: Vec<Fact>,
     /// What the run read: mesh, records, case.
@@ -22,7 +22,7 @@ pub struct CaseFacts {
     /// Version of the program.
     pub version: String,
     /// What the case left out and the program chose.
-    pub defaulted: Vec<Defaulted>,
+    pub defaults_used: Vec<Defaulted>,
 }
 
 /// How the case wants its page set, and what is to stand on its first sheet.

@@ -75,7 +75,7 @@ pub struct ModelFacts {
     pub step_set_by: String,
     /// The same as a pattern.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub step_set_by_said: Said,
+    pub step_set_by_message: Said,
     /// Simulated time (s).
     #[serde(with = "number", default = "number::absent")]
     pub duration: f64,

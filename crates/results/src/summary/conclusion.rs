@@ -33,7 +33,7 @@ pub struct Conclusion {
     pub outcome: String,
     /// The same as a pattern; empty in files of other versions.
     #[serde(skip_serializing_if = "Said::is_empty")]
-    pub outcome_said: Said,
+    pub outcome_message: Said,
     /// What became of each structure: the second part.
     pub findings: Vec<Finding>,
 }

@@ -10,7 +10,7 @@ use crate::{Peaks, number};
 #[serde(default)]
 pub struct MonitorFacts {
     /// Monitor → position (m), of the node or point that was used.
-    pub positions: IndexMap<String, [f64; 3]>,
+    pub monitor_positions: IndexMap<String, [f64; 3]>,
     /// Monitor → quantity → peaks.
     #[serde(rename = "monitors")]
     pub peaks: IndexMap<String, IndexMap<String, Peaks>>,

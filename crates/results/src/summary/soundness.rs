@@ -13,5 +13,5 @@ pub struct Soundness {
     #[serde(deserialize_with = "number::deserialize_map")]
     pub energy: IndexMap<String, f64>,
     /// Each a number against its limit; every check is here, those that do not apply with the reason.
-    pub trust: Vec<TrustLine>,
+    pub checks: Vec<TrustLine>,
 }

@@ -25,7 +25,7 @@ fn sound() -> Summary {
         stations: 8,
     };
     summary.parts.failure_modes.insert("lining".into(), modes);
-    summary.soundness.trust.push(TrustLine::at_most("energy_error", said!("energy error"), 1e-5, 5e-4, ""));
+    summary.soundness.checks.push(TrustLine::at_most("energy_error", said!("energy error"), 1e-5, 5e-4, ""));
     summary
 }
 
@@ -79,10 +79,10 @@ const STATES: [(&str, Change); 14] = [
 const RELIANCES: [(&str, Change); 6] = [
     ("run_failed", |s| s.conclusion.status = Status::Failed),
     ("run_stopped", |s| s.conclusion.status = Status::Stopped),
-    ("check_far_beyond_limit", |s| s.soundness.trust.push(check("near_sides", 0.52, 0.08))),
-    ("check_beyond_limit", |s| s.soundness.trust.push(check("near_sides", 0.1, 0.08))),
-    ("nothing_checked", |s| s.soundness.trust.clear()),
-    ("warned", |s| s.case.before.push("the ground is soft; see there".into())),
+    ("check_far_beyond_limit", |s| s.soundness.checks.push(check("boundary_stress_change", 0.52, 0.08))),
+    ("check_beyond_limit", |s| s.soundness.checks.push(check("boundary_stress_change", 0.1, 0.08))),
+    ("nothing_checked", |s| s.soundness.checks.clear()),
+    ("warned", |s| s.case.warnings.push("the ground is soft; see there".into())),
 ];
 
 #[test]
@@ -111,7 +111,7 @@ fn each_item_alone_sets_its_class() {
 #[test]
 fn what_is_not_complete_or_not_judged_never_withstands() {
     for change in [STATES[9].1, STATES[10].1, STATES[11].1, STATES[12].1, STATES[13].1, |s: &mut Summary| {
-        s.soundness.trust.push(check("motion_not_run", 0.4, 0.01));
+        s.soundness.checks.push(check("truncated_motion", 0.4, 0.01));
     }] {
         let mut summary = sound();
         change(&mut summary);
@@ -138,7 +138,7 @@ fn the_worst_class_comes_first_and_all_its_reasons_are_kept() {
     let found = assess(&summary, None).state;
     assert_eq!(found.class, State::Fails);
     assert!(found.reasons.windows(2).all(|pair| pair[0].class >= pair[1].class), "{:?}", found.reasons);
-    assert!(found.reasons.iter().all(|reason| reason.text == reason.text_said.to_string()));
+    assert!(found.reasons.iter().all(|reason| reason.text == reason.text_message.to_string()));
 }
 
 #[test]

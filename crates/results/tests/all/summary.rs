@@ -19,7 +19,7 @@ fn summary() -> Summary {
         },
         computed: Computed { wall_seconds: 12.5, element_updates_per_second: 3.2e7, ..Computed::default() },
         soundness: Soundness {
-            trust: vec![
+            checks: vec![
                 TrustLine::at_most("energy_error", said!("energy error"), 0.002, 0.01, "")
                     .with_note(said!("largest over time")),
                 TrustLine::at_least(
@@ -32,7 +32,7 @@ fn summary() -> Summary {
             ],
             ..Soundness::default()
         },
-        case: CaseFacts { defaulted: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
+        case: CaseFacts { defaults_used: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
         ..Summary::default()
     };
     let peaks = Peaks {
@@ -100,12 +100,12 @@ fn the_json_is_what_the_contract_says() {
         peaks,
         r#"{"max":0.05,"t_max":13.2,"min":-0.01,"t_min":9.0,"residual":0.007,"step_max":0.06}"#
     );
-    let line = serde_json::to_string(&summary().soundness.trust[1]).unwrap();
+    let line = serde_json::to_string(&summary().soundness.checks[1]).unwrap();
     assert_eq!(
         line,
-        r#"{"id":"elements_per_wavelength","name":"elements per shortest wavelength","name_said":{"pattern":"elements per shortest wavelength"},"value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false,"numbers":{}}"#
+        r#"{"id":"elements_per_wavelength","name":"elements per shortest wavelength","name_message":{"pattern":"elements per shortest wavelength"},"value":7.5,"limit":10.0,"bound":"at_least","pass":false,"unit":"","note":"","not_applicable":false,"numbers":{}}"#
     );
-    let defaulted = serde_json::to_string(&summary().case.defaulted).unwrap();
+    let defaulted = serde_json::to_string(&summary().case.defaults_used).unwrap();
     assert_eq!(defaulted, r#"[{"key":"dynamic.safety","value":"0.9"}]"#);
     assert_eq!(
         serde_json::to_string(&summary().parts.damage).unwrap(),
@@ -173,15 +173,15 @@ fn a_file_may_lack_any_field_and_the_others_are_read_as_they_were() {
 fn summaries_of_other_versions_are_read_and_damaged_ones_refused_with_the_line() {
     let temp = tempfile::tempdir().unwrap();
     let path = temp.path().join("summary.json");
-    let other = r#"{"status": "failed", "new_field": [1, 2], "trust": [{"name": "x"}],
+    let other = r#"{"status": "failed", "new_field": [1, 2], "checks": [{"name": "x"}],
         "damage": {"rock": {"measures": {"d_new": {"beyond": {"0.5": null}}}}}}"#;
     fs::write(&path, other).unwrap();
     let read = Summary::read(&path).unwrap();
     assert_eq!(read.conclusion.status, Status::Failed);
     assert!(
         read.computed.wall_seconds.is_nan()
-            && read.soundness.trust[0].value.is_nan()
-            && !read.soundness.trust[0].pass
+            && read.soundness.checks[0].value.is_nan()
+            && !read.soundness.checks[0].pass
     );
     let found = &read.parts.damage["rock"].measures["d_new"];
     assert!(
@@ -204,7 +204,7 @@ fn a_line_that_cannot_be_judged_is_no_warning_and_does_not_count() {
     let line = TrustLine::not_applicable("free_field", said!("free field"), said!("the rock yields"));
     let summary = Summary {
         soundness: Soundness {
-            trust: vec![line, TrustLine::at_most("a", said!("a"), 2.0, 1.0, "")],
+            checks: vec![line, TrustLine::at_most("a", said!("a"), 2.0, 1.0, "")],
             ..Soundness::default()
         },
         ..Summary::default()

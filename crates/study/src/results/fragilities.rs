@@ -94,12 +94,12 @@ fn one(
         out.shares = cumulated(&risen);
         let at_first = beyond_at_first(&asked, plan, found);
         if at_first > 0 {
-            out.no_curve_said = said!(
+            out.no_curve_message = said!(
                 "{some} of {all} series of levels are beyond the limit at their first level, and how far below is not known: begin lower",
                 some = at_first.to_string(),
                 all = risen.len().to_string()
             );
-            out.no_curve = out.no_curve_said.to_string();
+            out.no_curve = out.no_curve_message.to_string();
             return out;
         }
         finish(&mut out, &risen, |r| r.cluster, |r| r.intensity, clusters.count, bootstrap, of_risen);
@@ -260,8 +260,8 @@ fn finish<T: Copy>(
     let curve = match fit(data) {
         Ok(curve) => curve,
         Err(why) => {
-            out.no_curve_said = in_words(why, &out.unit);
-            out.no_curve = out.no_curve_said.to_string();
+            out.no_curve_message = in_words(why, &out.unit);
+            out.no_curve = out.no_curve_message.to_string();
             return;
         }
     };

@@ -43,7 +43,7 @@ fn with(text: &str, result: impl Fn(usize, usize) -> Result<f64, &'static str>) 
                     let text = format!("{{\"status\": \"done\", {classes}, \"x\": {{\"value\": {x}}}}}");
                     fs::write(summary, text).unwrap();
                 }
-                Err("broken") => fs::write(folder.broken(), "refused\n").unwrap(),
+                Err("error") => fs::write(folder.broken(), "refused\n").unwrap(),
                 Err("pending") => {}
                 Err("missing") => fs::write(summary, "{\"status\": \"done\"}").unwrap(),
                 Err(word) => {
@@ -66,7 +66,7 @@ fn runs_that_have_no_result_are_told_and_counted_as_asked_for() {
     // Record 0 cracks from 0.2 g on, 1 from 0.3 g on; 2 is stopped at 0.4 g, does not come to rest at 0.1 g, and is not yet there.
     let result = |record: usize, level: usize| match (record, level) {
         (2, 3) => Err("failed"),
-        (2, 0) => Err("restless"),
+        (2, 0) => Err("not_converged"),
         (2, 1) => Err("pending"),
         (2, 2) => Ok(0.2),
         (record, level) => Ok(if level > record { 1.0 } else { 0.1 }),
@@ -75,7 +75,7 @@ fn runs_that_have_no_result_are_told_and_counted_as_asked_for() {
     assert_eq!(missing, []);
     let [half, ten] = &found.fragilities[..] else { panic!("{:?}", found.fragilities) };
     assert_eq!((half.counted, half.exceeded, half.stopped_counted), (10, 6, 1));
-    assert_eq!(half.left_out, [("pending".to_owned(), 1), ("restless".to_owned(), 1)]);
+    assert_eq!(half.left_out, [("pending".to_owned(), 1), ("not_converged".to_owned(), 1)]);
     let shares: Vec<(usize, usize)> = half.shares.iter().map(|s| (s.exceeded, s.of)).collect();
     assert_eq!(shares, [(0, 2), (1, 2), (2, 3), (3, 3)]);
     assert!(half.fit.is_some_and(|fit| fit.theta > 0.15 && fit.theta < 0.3), "{half:?}");
@@ -91,7 +91,7 @@ fn runs_that_have_no_result_are_told_and_counted_as_asked_for() {
     assert!(found.fragilities[0].left_out.contains(&("failed".to_owned(), 1)));
     assert!(found.fragilities[1].no_curve.contains("no run is beyond"), "{:?}", found.fragilities[1]);
     let table = csv(&found);
-    assert!(table.lines().count() == 13 && table.contains("restless,It failed."), "{table}");
+    assert!(table.lines().count() == 13 && table.contains("not_converged,It failed."), "{table}");
 }
 
 #[test]

@@ -51,7 +51,7 @@ pub fn facts(
                 wave_speed_p,
                 wave_speed_s,
                 damping: damping.to_string(),
-                damping_said: damping.clone(),
+                damping_message: damping.clone(),
                 groups: Vec::new(),
                 values: [
                     values(case, material, parameters, &*body.material, range(mesh, &elements)),

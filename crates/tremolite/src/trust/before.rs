@@ -20,7 +20,7 @@ const CHANGE: f64 = 0.1;
 /// knows nothing of it 0.8.
 const LOCAL: f64 = 0.6;
 
-const HELD_ID: &str = "held_at_the_end";
+const HELD_ID: &str = "unreleased_force";
 const CHANGE_ID: &str = "initial_stress_change";
 const INITIAL_ID: &str = "initial_motion";
 const LOCAL_ID: &str = "initial_stress_change_local";
@@ -155,7 +155,7 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
         ));
         let worst = outcome.stages.iter().map(|stage| stage.ratio).fold(0.0, f64::max);
         facts.push(Fact::new(
-            "stages_out_of_balance",
+            "stage_imbalance",
             said!("out-of-balance force over all forces, worst stage"),
             worst,
             "",
@@ -175,7 +175,7 @@ pub(super) fn facts(evidence: &Evidence) -> Vec<Fact> {
     }
     if let Some(drift) = outcome.quiet {
         facts.push(Fact::new(
-            "quiet_drift",
+            "drift_without_motion",
             said!("largest displacement in 100 steps without motion"),
             drift,
             "m",

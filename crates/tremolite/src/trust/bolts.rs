@@ -12,7 +12,7 @@ const SLIP: f64 = 0.1;
 const SLIP_ID: &str = "bolt_slip";
 /// Out of balance along a bolt over its group's largest force: a thousandth of what an engineer reads off, far above round-off.
 const BALANCED: f64 = 1e-6;
-const BALANCE_ID: &str = "bolt_balance";
+const BALANCE_ID: &str = "bond_equilibrium_error";
 /// A largest force \[N\] below which none is meant.
 const LEAST: f64 = 1.0;
 

@@ -9,7 +9,7 @@ use tremolite_results::{Said, TrustLine, said, snake};
 /// (tests of the half-notched beam bear 933 to 1,114 N, `gregoire2013`). The estimate is that of the end of a crack; a corner of 270°
 /// keeps up to a quarter more.
 pub const LEAST: f64 = 0.85;
-const ID: &str = "strength_at_corners";
+const ID: &str = "plateau_corner_strength";
 
 fn name() -> Said {
     said!("strength at corners over that by the fracture energy")

@@ -20,7 +20,7 @@ pub(crate) fn left_after(motion: &Motion, time: f64) -> f64 {
 }
 
 pub(super) fn line(evidence: &Evidence) -> TrustLine {
-    const ID: &str = "motion_not_run";
+    const ID: &str = "truncated_motion";
     let name = said!("share of the motion after the end of the run");
     let Some(motion) = evidence.plan.shaken_by(evidence.model) else {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));

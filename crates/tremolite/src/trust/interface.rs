@@ -20,7 +20,7 @@ fn created_name() -> Said {
 
 /// Checks of the shaking alone.
 const OF_SHAKING: [&str; 4] =
-    ["energy_created_by_interfaces", "interface_impacts", "interface_step", "interface_ringing"];
+    ["energy_created_by_interfaces", "contact_energy_error", "contact_frequency_step", "interface_ringing"];
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     let mut lines = all(evidence);
@@ -39,11 +39,11 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
             ("interface_closure", said!("largest closure of the interface over its limit")),
             ("interface_slip", said!("largest slip over element size")),
             ("interface_gap", said!("largest gap over element size")),
-            ("interface_straight", said!("interface pairs under more pressure than pressure_for_step")),
-            ("interface_impacts", said!("energy error of impacts over energy supplied")),
-            ("interface_step", said!("time step × frequency of the stiffest contact pair")),
+            ("contact_above_pressure_limit", said!("interface pairs under more pressure than pressure_for_step")),
+            ("contact_energy_error", said!("energy error of impacts over energy supplied")),
+            ("contact_frequency_step", said!("time step × frequency of the stiffest contact pair")),
             ("interface_ringing", seam::ringing_name()),
-            ("interface_chosen", said!("compliance of the interface over that of the adjacent elements")),
+            ("contact_penalty_compliance", said!("compliance of the interface over that of the adjacent elements")),
         ]
         .map(line)
         .into();

@@ -10,7 +10,7 @@ use tremolite_results::{Said, TrustLine, said, snake};
 /// Closure under a pressure over what the ground around the opening gives under it: of a hall of 12 × 18 m the lining's largest stress
 /// is 4 % below that of one that is tied where it is 0.035, 10 % where it is 0.1, 75 % where it is 10.
 const CLOSURE: f64 = 0.1;
-const ID: &str = "lining_closure";
+const ID: &str = "lining_interface_compliance";
 /// Mean distance of an interface's surface from its middle, over its extent, below which it goes around nothing.
 const FLAT: f64 = 0.05;
 

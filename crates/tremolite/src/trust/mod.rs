@@ -99,7 +99,7 @@ pub(crate) fn facts(evidence: &Evidence) -> Vec<Fact> {
         .with("change", stable.change)
         .with("iterations", stable.iterations as f64),
         Fact::new(
-            "step_left_by_viscosity",
+            "viscosity_step_ratio",
             said!("stable step with artificial viscosity over that without"),
             stable.dt / stable.undamped,
             "",

@@ -10,15 +10,15 @@ use tremolite_results::{TrustLine, said};
 /// way of its peak: in elements of 25 mm 0.50 (40 cycles of release) is 2.2 % off, 0.045 (200) 0.15 %, beside 0.006; in elements of 10 mm 1.5 is
 /// 0.6 % off and 0.42 0.9 %, 0.14 less than 0.1 %, beside 0.05.
 const MOST: f64 = 0.2;
-const ID: &str = "damped_on_the_way";
+const ID: &str = "relaxation_damping_share";
 
 /// Share of the energy held that a step lets go at once. Bars of 0.65 and 0.87 times the length that may be let go 4·10⁻⁵ and 2·10⁻⁴, one of 1.5
 /// times it 0.04.
 const MOST_LET_GO: f64 = 0.02;
-const LET_GO_ID: &str = "let_go_at_once";
+const LET_GO_ID: &str = "energy_drop_in_step";
 /// Share of the first step's work that cracks take: what is measured against that step would hide in it.
 const MOST_FIRST: f64 = 0.01;
-const FIRST_ID: &str = "first_step_cracks";
+const FIRST_ID: &str = "first_step_dissipation";
 
 pub(super) fn lines(evidence: &Evidence) -> Vec<TrustLine> {
     of_stages(evidence.plan, &evidence.outcome.state.observers)

@@ -9,7 +9,7 @@ use tremolite_results::{Said, TrustLine, said};
 /// 60, 30, 21, 15 and 7 m, it is 1.4, 4.4, 8.4, 15 and 45 % where the hoop stress is wrong by 0.7, 2.6, 4.8, 8.0 and 26 %; of one twice
 /// as wide as high the stress is wrong by less.
 const CHANGE: f64 = 0.08;
-const ID: &str = "near_sides";
+const ID: &str = "boundary_stress_change";
 
 pub(super) fn line(evidence: &Evidence) -> TrustLine {
     let name = said!("stress change at the model's sides and base over the initial stress");

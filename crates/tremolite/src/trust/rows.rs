@@ -10,7 +10,7 @@ use tremolite_results::{Said, TrustLine, said};
 /// Part of a peak that rows may miss: in a hall under a pulse of 4 Hz rows 0.02 s apart miss 5 % of the largest stress of its monitors,
 /// and rows 0.1 s apart nearly all of it.
 pub(crate) const MISSED: f64 = 0.05;
-const ID: &str = "peaks_between_rows";
+const ID: &str = "output_sampling";
 /// What is judged: accelerations of single steps ring where something cracks or knocks, and so does stress; that of the strain counts
 /// where nothing was dissipated.
 const JUDGED: [&[&str]; 2] = [&["vx", "vy", "vz"], &["s1_elastic"]];

@@ -90,12 +90,12 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
 
     let straight = match contacts.law.straight_from() {
         None => TrustLine::not_applicable(
-            id("interface_straight"),
+            id("contact_above_pressure_limit"),
             name(said!("interface pairs under more pressure than pressure_for_step")),
             said!("the law is linear"),
         ),
         Some(limit) => TrustLine::at_most(
-            id("interface_straight"),
+            id("contact_above_pressure_limit"),
             name(said!("interface pairs under more pressure than pressure_for_step")),
             totals.beyond as f64,
             0.0,
@@ -116,7 +116,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let supplied = outcome.state.ledger.supplied;
     let gained = Interfaces::largest_gain(&outcome.state.observers, number);
     let (impacts_id, impacts_name) =
-        (id("interface_impacts"), name(said!("energy error of impacts over energy supplied")));
+        (id("contact_energy_error"), name(said!("energy error of impacts over energy supplied")));
     let impacts = match evidence.outcome.shaken {
         true if gained == 0.0 && supplied == 0.0 => {
             TrustLine::not_applicable(impacts_id, impacts_name, said!("no energy was supplied"))
@@ -134,7 +134,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let product = outcome.dt * contacts.frequency;
     let product = if product > seam.limit { product * (1.0 - ROUND_OFF) } else { product };
     let step = TrustLine::at_most(
-        id("interface_step"),
+        id("contact_frequency_step"),
         name(said!("time step × frequency of the stiffest contact pair")),
         product,
         seam.limit,
@@ -151,7 +151,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
     let chosen = if contacts.chosen {
         let stiffness = contacts.law.stiffness(0.0)[0];
         TrustLine::at_most(
-            id("interface_chosen"),
+            id("contact_penalty_compliance"),
             chosen_name,
             1.0 / (stiffness * give_of_elements(evidence.model, seam)),
             MOST_CLOSURE,
@@ -163,7 +163,7 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
              `normal_stiffness` from a test, or leave `time_step` out"
         ))
     } else {
-        TrustLine::not_applicable(id("interface_chosen"), chosen_name, said!("its stiffness was given"))
+        TrustLine::not_applicable(id("contact_penalty_compliance"), chosen_name, said!("its stiffness was given"))
     };
     vec![closure, slip, gap, straight, impacts, step, ringing(evidence, number), chosen]
 }

@@ -26,7 +26,7 @@ fn free_field_theory() -> (&'static str, Said) {
 }
 
 fn model_against_free_field() -> (&'static str, Said) {
-    ("model_against_free_field", said!("motion at the model's corners against the free field"))
+    ("free_field_at_model_edges", said!("motion at the model's corners against the free field"))
 }
 
 pub(super) fn per_wavelength(evidence: &Evidence) -> TrustLine {

@@ -257,8 +257,8 @@ fn a_check_foretells_what_the_run_does() {
     assert_eq!(checked["time_step"]["used"], summary.computed.model.time_step);
     assert_eq!(checked["elements"], summary.computed.model.elements);
     assert_eq!(checked["stages"].as_array().unwrap().len(), summary.computed.stages.len());
-    assert_eq!(checked["defaulted"], serde_json::to_value(&summary.case.defaulted).unwrap());
-    assert_eq!(checked["findings"].as_array().unwrap().len(), summary.case.before.len());
+    assert_eq!(checked["defaults_used"], serde_json::to_value(&summary.case.defaults_used).unwrap());
+    assert_eq!(checked["findings"].as_array().unwrap().len(), summary.case.warnings.len());
     assert_eq!(checked["findings"][0]["key"], "material.spare");
 }
 

@@ -206,7 +206,7 @@ fn energy_that_no_line_has_fails_the_balance_and_that_of_its_body() {
         problem.bodies[1].material = (law.build)(&metal()).unwrap();
         let summary = told(problem);
         let line =
-            |id: &str| summary.soundness.trust.iter().find(|line| line.id.starts_with(id)).unwrap().clone();
+            |id: &str| summary.soundness.checks.iter().find(|line| line.id.starts_with(id)).unwrap().clone();
         [line("energy_error"), line("body_energy_error")]
     };
     let [whole, slab] = checks(Law::of::<Silent>());
@@ -305,7 +305,7 @@ fn what_a_column_means_gives_its_onset_and_its_verdict_whatever_its_name() {
     assert!(finding.headline.starts_with("yielded in shear in "), "{finding:?}");
     assert!(finding.text.contains("First yielded in shear at "), "{finding:?}");
     let warned =
-        summary.soundness.trust.iter().find(|line| line.name == "yielding rock without initial stress");
+        summary.soundness.checks.iter().find(|line| line.name == "yielding rock without initial stress");
     assert!(
         warned.is_some_and(|line| line.not_applicable),
         "its strength does not grow with pressure: {warned:?}"
@@ -326,7 +326,7 @@ fn rock_whose_strength_grows_with_pressure_is_told_that_the_pressure_is_missing(
     problem.bodies[1].material = (rock.build)(&values).unwrap();
     let summary = told(problem);
     let warned =
-        summary.soundness.trust.iter().find(|line| line.name == "yielding rock without initial stress");
+        summary.soundness.checks.iter().find(|line| line.name == "yielding rock without initial stress");
     assert!(warned.is_some_and(|line| !line.pass && line.note.starts_with("slab: ")), "{warned:?}");
 }
 

@@ -295,7 +295,7 @@ fn what_does_not_flow_is_refused_with_a_way_out() {
 
 /// A void that reaches the plane of a head is warned of, and a level with an opening below it names seepage as the remedy.
 #[test]
-fn what_is_doubtful_is_said() {
+fn what_is_doubtful_is_message() {
     let has = |text: &str, words: &str| made(text).said().iter().any(|one| one.contains(words));
     assert!(!has(HALL, "comes in right beside it"));
     assert!(has(&HALL.replace("xmin = \"-5 m\", xmax", "sides"), "comes in right beside it"));

@@ -62,7 +62,7 @@ fn run(job: &Job, folder: &ResultFolder, start: Start) -> Summary {
 }
 
 fn trust(summary: &Summary, id: &str) -> f64 {
-    let line = summary.soundness.trust.iter().find(|line| line.id == id).unwrap();
+    let line = summary.soundness.checks.iter().find(|line| line.id == id).unwrap();
     assert!(line.pass && !line.not_applicable, "{line:?}");
     line.value
 }
@@ -97,7 +97,7 @@ fn pores_that_no_rock_has_are_refused_before_anything_is_computed() {
 }
 
 #[test]
-fn what_water_makes_of_a_material_is_said() {
+fn what_water_makes_of_a_material_is_message() {
     let of = |text: &str, name: &str| {
         let values = job(text).materials["rock"].values.clone();
         values.into_iter().find(|value| value.name == name).map(|value| value.value)
@@ -131,11 +131,11 @@ fn ground_below_the_water_moves_as_theory_has_it() {
     assert!((way / ((diffusivity * 0.5).sqrt() / 5.0) - 1.0).abs() < 1e-2, "{way}");
     // Theory of drained ground would be off by far more than a tenth.
     assert!(trust(&summary, "free_field_theory") < 0.02);
-    assert!(trust(&summary, "model_against_free_field") < 1e-9);
+    assert!(trust(&summary, "free_field_at_model_edges") < 1e-9);
     assert_eq!(trust(&summary, "pore_water_at_the_floor"), 0.0);
     trust(&summary, "energy_error");
     let summary = run(&job(&GROUND.replace("undrained", "drained")), &dry, Start::Rest);
-    let stays = summary.soundness.trust.iter().find(|line| line.id == "pore_water_at_the_floor").unwrap();
+    let stays = summary.soundness.checks.iter().find(|line| line.id == "pore_water_at_the_floor").unwrap();
     assert!(stays.not_applicable);
     let [wet, dry] = [wet, dry].map(|folder| Table::read(&folder.monitors()).unwrap());
     let largest = |table: &Table, name: &str| {
@@ -160,7 +160,7 @@ fn waves_at_angles_go_through_wet_ground_as_theory_has_it() {
         .replace("[dynamic]", &format!("{wave}[dynamic]"));
     let folder = tempfile::tempdir().unwrap();
     let results = ResultFolder::create(Some(folder.path()), "aslant", true).unwrap();
-    let found = trust(&run(&job(&aslant), &results, Start::Rest), "model_against_free_field");
+    let found = trust(&run(&job(&aslant), &results, Start::Rest), "free_field_at_model_edges");
     assert!(found < 0.03, "{found}");
 }
 

@@ -101,7 +101,7 @@ fn apart(own: &Table, other: &Table, pairs: &[(&str, &str, f64)]) -> f64 {
 fn a_staged_lined_jointed_cavern_is_quiet_mirrored_and_the_same_on_levels() {
     let (summary, own) = run(&jointed(false, 1));
     let fact = |id: &str| summary.case.facts.iter().find(|fact| fact.id == id).unwrap().value;
-    assert!(fact("quiet_drift") < 1e-9, "{}", fact("quiet_drift"));
+    assert!(fact("drift_without_motion") < 1e-9, "{}", fact("drift_without_motion"));
     // The joints work, or this were a cavern without any.
     let slips: Vec<f64> = summary.parts.interfaces.values().map(|interface| interface.ever_slid).collect();
     assert!(slips.len() == 2 && slips.iter().all(|slip| *slip > 0.0), "{slips:?}");

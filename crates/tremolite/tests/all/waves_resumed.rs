@@ -57,10 +57,10 @@ fn a_staged_cavern_is_quiet_goes_on_where_it_stopped_and_has_its_mirror_image() 
     let whole = make(parent, "whole");
     let summary = run(&one, &whole, Start::Rest).unwrap();
     assert_eq!(summary.conclusion.status, Status::Done);
-    let drift = summary.case.facts.iter().find(|fact| fact.id == "quiet_drift").unwrap();
+    let drift = summary.case.facts.iter().find(|fact| fact.id == "drift_without_motion").unwrap();
     assert!(drift.value < 1e-9, "{drift:?}");
     let failed: Vec<_> =
-        summary.soundness.trust.iter().filter(|line| !line.pass && !line.not_applicable).collect();
+        summary.soundness.checks.iter().filter(|line| !line.pass && !line.not_applicable).collect();
     // The cavern stands half its width from the sides, which is what such checks are for.
     assert!(failed.iter().all(|line| line.id != "free_field_theory"), "{failed:?}");
 

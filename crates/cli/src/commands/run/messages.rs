@@ -131,7 +131,7 @@ pub(super) fn check(line: &TrustLine) -> String {
 
 /// What came out.
 pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summary) {
-    for line in &summary.soundness.trust {
+    for line in &summary.soundness.checks {
         // Each with its reason, where it does not bury the others.
         if line.not_applicable {
             log.keep(&format!("--   {}: not applicable, {}", line.name, line.note));
@@ -139,7 +139,7 @@ pub(super) fn after(log: &mut Log, job: &Job, outcome: &Outcome, summary: &Summa
         }
         log.say(&check(line));
     }
-    let idle = summary.soundness.trust.iter().filter(|line| line.not_applicable).count();
+    let idle = summary.soundness.checks.iter().filter(|line| line.not_applicable).count();
     if idle > 0 {
         log.say(&format!("  --   {idle} more checks do not apply; log.txt and the page say why"));
     }

@@ -79,7 +79,7 @@ pub fn retry(
         let results = folder.results();
         let files = match status {
             // What was ended from outside goes on from its checkpoint.
-            RunStatus::Broken => vec![folder.broken()],
+            RunStatus::Error => vec![folder.broken()],
             _ => {
                 let checkpoints = CHECKPOINTS.map(|name| results.join("checkpoint").join(name));
                 // Without checksums nothing is missed of it.

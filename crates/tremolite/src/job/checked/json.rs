@@ -104,7 +104,7 @@ impl Checked<'_> {
                 "bolts_bytes": disk.bolts,
                 "checkpoint_bytes": disk.checkpoint,
             },
-            "defaulted": self.left_out,
+            "defaults_used": self.left_out,
             "findings": self.findings(),
         })
     }

@@ -167,7 +167,7 @@ pub fn summaries(model: &Model, plan: &Plan, memory: &Memory) -> Vec<StageSummar
                 excavated: planned.excavated.clone(),
                 installed: planned.installed.clone(),
                 changed: planned.changed.iter().map(Said::to_string).collect(),
-                changed_said: planned.changed.clone(),
+                changed_message: planned.changed.clone(),
                 release: planned.release.share,
                 tolerance: planned.release.tolerance[0],
                 cycles: row[0] as u64,

@@ -50,7 +50,7 @@ impl Queue<'_> {
         let of_group = || (0..self.planned.len()).filter(|other| self.planned[*other].before == Some(group));
         let serves = |run: usize| match self.outcome(run).status {
             RunStatus::Pending => !self.is_not_needed(run),
-            status => status == RunStatus::Broken,
+            status => status == RunStatus::Error,
         };
         if of_group().any(serves) {
             return Ok(());
