@@ -1,6 +1,6 @@
 //! Rectangular coordinate systems by three points (CORD2R).
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::bulk::Card;
 use crate::fault::Fault;
@@ -51,18 +51,22 @@ impl Systems {
     /// If the points of one lie on a line, or one refers to itself.
     pub(super) fn frames(self) -> Result<Frames, Fault> {
         let mut frames = Frames { frames: HashMap::new(), systems: self };
+        // Those that refer, through others or not, to a system that is missing or of another kind. They fail where they are used.
+        let mut unplaced: HashSet<u64> = HashSet::new();
         for &first in frames.systems.0.keys() {
             // Those that it refers to come first.
             let mut open = vec![first];
             while let Some(&number) = open.last() {
                 let system = frames.systems.0.get(&number).filter(|s| s.card == "CORD2R");
-                let Some(system) = system.filter(|_| !frames.frames.contains_key(&number)) else {
+                let done = frames.frames.contains_key(&number) || unplaced.contains(&number);
+                let Some(system) = system.filter(|_| !done) else {
                     open.pop();
                     continue;
                 };
                 let of = frames.frames.get(&system.of);
                 let known = system.of == 0 || of.is_some();
-                if !known && frames.systems.0.get(&system.of).is_some_and(|s| s.card == "CORD2R") {
+                let to_place = !known && !unplaced.contains(&system.of);
+                if to_place && frames.systems.0.get(&system.of).is_some_and(|s| s.card == "CORD2R") {
                     if open.len() > frames.systems.0.len() {
                         return Err(Fault::whole(format!(
                             "coordinate system {number} refers to itself; give its points in another"
@@ -80,6 +84,8 @@ impl Systems {
                         ))
                     })?;
                     frames.frames.insert(number, frame);
+                } else {
+                    unplaced.insert(number);
                 }
             }
         }

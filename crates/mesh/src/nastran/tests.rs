@@ -168,6 +168,8 @@ fn what_cannot_be_used_is_refused_with_a_way_out() {
             "the points of coordinate system 8 lie on a line",
         ),
         ("CORD2R,8", "CORD2C,8", None, "refers to system 8, which is not read"),
+        // 7 refers to 8, and 8 to a system that is missing.
+        ("CORD2R,8,,", "CORD2R,8,4,", None, "refers to system 8, which is not read"),
         (
             "+H             7       8",
             "+H             7      88",
