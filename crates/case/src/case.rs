@@ -5,6 +5,8 @@ mod rewritten;
 
 use std::path::{Path, PathBuf};
 
+use tremolite_laws::Dimension;
+
 use crate::bolts::{BoltPlace, Bolts};
 use crate::change::{Change, Changed};
 use crate::check::{Checker, UNITS};
@@ -15,7 +17,7 @@ use crate::fields::Fields;
 use crate::initial::{INITIAL, Initial};
 use crate::interface::{INTERFACE, Interface};
 use crate::keyed;
-use crate::keys::{Key, Kind, Table};
+use crate::keys::{Key, Kind, Limit, Table};
 use crate::laws::Laws;
 use crate::material::{MATERIAL, Material};
 use crate::mesh::{Ground, MESH, Mesh};
@@ -31,12 +33,21 @@ use crate::stage::{STAGE, Stage, Written, in_steps};
 use crate::water::{WATER, Water};
 use crate::{Diagnostic, Report, Spanned, report, syntax};
 
+/// The direction of x. It stands above all tables.
+pub(crate) const X_AZIMUTH: Key = Key::default(
+    "model_x_azimuth",
+    Kind::Number(Dimension::ANGLE, Limit::Any),
+    r#""90 deg""#,
+    "Direction of the model's x axis, clockwise from north; by default y is north",
+);
+
 pub(crate) static CASE: Table = Table {
     path: "",
     doc: "A study: a mesh, its materials, an earthquake, and what is kept of the answer.",
     keys: &[
         Key::required("title", Kind::Text, "what the study is about"),
         UNITS,
+        X_AZIMUTH,
         Key::required("mesh", Kind::Table(&MESH), "with [mesh.caverns], [mesh.box] or [mesh.file]"),
         Key::required("material", Kind::Materials(&MATERIAL), "the materials, each with a name"),
         Key::required("region", Kind::Tables(&REGION), "which groups of the mesh are made of what"),
@@ -74,7 +85,12 @@ pub(crate) static CASE: Table = Table {
             "the dynamic run",
         ),
         Key::optional("monitor", Kind::Tables(&MONITOR), "no monitors", "Points whose histories are kept"),
-        Key::optional("relative", Kind::Tables(&RELATIVE), "", "Pairs of monitors whose difference is kept"),
+        Key::optional(
+            "monitor_pair",
+            Kind::Tables(&RELATIVE),
+            "",
+            "Pairs of monitors whose difference is kept",
+        ),
         Key::default("output", Kind::Table(&OUTPUT), "{}", "What is written, and when"),
         Key::optional("water", Kind::Table(&WATER), "", "Water in the pores of the ground"),
         Key::default("report", Kind::Table(&REPORT), "{}", "How the page of the run is set"),
@@ -101,6 +117,8 @@ pub struct Case {
     pub title: Spanned<String>,
     /// Whether numbers without a unit are in SI, as the case says of itself.
     pub bare_si: bool,
+    /// Direction of the model's x axis, clockwise from north, rad.
+    pub model_x_azimuth: Spanned<f64>,
     /// Where the mesh comes from.
     pub mesh: Mesh,
     /// What is made of it before anything else goes by it.
@@ -206,14 +224,15 @@ impl Case {
         let reinforcement = case.tables("reinforcement").map(Reinforcement::read).collect::<Option<_>>()?;
         let sections = case.tables("section").map(Section::read).collect::<Option<_>>()?;
         let motion = match case.table("motion") {
-            Some(motion) => Some(Motion::read(motion, initial.gravity.value)?),
+            Some(motion) => Some(Motion::read(motion, initial.gravity.value, case.number(X_AZIMUTH.name)?)?),
             None => None,
         };
         let water = match case.table("water") {
             Some(water) => Some(Water::read(water)?),
             None => None,
         };
-        let ground = case.table("mesh").and_then(Ground::read)?;
+        let model_x_azimuth = case.number(X_AZIMUTH.name)?;
+        let ground = case.table("mesh").and_then(|mesh| Ground::read(mesh, model_x_azimuth.value))?;
         let materials: Vec<Material> =
             written.iter().map(|m| Material::read(m, initial.gravity.value)).collect::<Option<_>>()?;
         let mut interfaces: Vec<Interface> =
@@ -225,7 +244,8 @@ impl Case {
         let monitors: Vec<Monitor> =
             case.tables("monitor").map(|m| Monitor::read(m, &names, &bolts)).collect::<Option<_>>()?;
         let names: Vec<&str> = monitors.iter().map(|m| m.name.value.as_str()).collect();
-        let relatives = case.tables("relative").map(|r| Relative::read(r, &names)).collect::<Option<_>>()?;
+        let relatives =
+            case.tables("monitor_pair").map(|r| Relative::read(r, &names)).collect::<Option<_>>()?;
         Some(Case {
             path: path.to_owned(),
             directory: path.parent().unwrap_or(Path::new("")).to_owned(),
@@ -233,7 +253,8 @@ impl Case {
             changed: changed.clone(),
             title: case.text("title")?,
             bare_si: case.text(UNITS.name).is_some(),
-            mesh: case.table("mesh").and_then(Mesh::read)?,
+            mesh: case.table("mesh").and_then(|mesh| Mesh::read(mesh, model_x_azimuth.value))?,
+            model_x_azimuth,
             ground,
             materials,
             regions,

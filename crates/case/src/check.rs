@@ -10,6 +10,7 @@ use crate::defaulted::Defaulted;
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Need, Table, When};
 use crate::laws::Laws;
+use crate::renamed::{self, Azimuth};
 use crate::{Diagnostic, suggest, units};
 
 /// The keys of one table as they are written, with the place of the key and the value.
@@ -39,6 +40,7 @@ pub(crate) struct Checker<'a> {
     pub bare_si: bool,
     /// Whether a remedy has named that key already.
     pub told_of_si: bool,
+    azimuth: Azimuth,
     /// The table in whose place defaults are read: their text is not part of the file.
     stand_in: Option<Range<usize>>,
 }
@@ -47,7 +49,16 @@ impl<'a> Checker<'a> {
     /// A checker of a file, which may say of itself in what its bare numbers are.
     pub fn new(case: &'static Table, laws: Laws<'a>, file: &DeTable<'_>) -> Self {
         let (problems, defaulted) = (Vec::new(), Vec::new());
-        Checker { case, laws, problems, defaulted, bare_si: bare_si(file), told_of_si: false, stand_in: None }
+        Checker {
+            case,
+            laws,
+            problems,
+            defaulted,
+            bare_si: bare_si(file),
+            told_of_si: false,
+            azimuth: Azimuth::of(file),
+            stand_in: None,
+        }
     }
 
     pub fn problem(&mut self, span: Range<usize>, message: impl Into<String>, remedy: impl Into<String>) {
@@ -66,7 +77,12 @@ impl<'a> Checker<'a> {
         let given = given(written);
         let keys = || table.keys.iter().chain(more.unwrap_or_default());
         if more.is_some() {
-            for (name, (at, _)) in given.iter().filter(|(name, _)| !keys().any(|k| k.name == **name)) {
+            for (name, (at, value)) in given.iter().filter(|(name, _)| !keys().any(|k| k.name == **name)) {
+                if let Some(new) = renamed::key(name, keys().map(|k| k.name)) {
+                    let remedy = renamed::remedy(new, table.path, value, self.azimuth);
+                    self.problem(at.clone(), format!("`{name}` of {} has another name", place(path)), remedy);
+                    continue;
+                }
                 let here = keys().filter(|k| !ruled_out(k.when, &given));
                 let remedy = suggest::key(self.case, table.path, name, here.map(|k| k.name));
                 self.problem(at.clone(), format!("`{name}` is no key of {}", place(path)), remedy);

@@ -241,7 +241,7 @@ fn monitors(case: &Fields, bolts: &[Spanned<String>], all_bolts: bool, problems:
     let moves =
         |name: &&Spanned<String>| !at_interface.contains(&name.value) && !at_bolt.contains(&name.value);
     let mut columns: BTreeSet<String> = names.iter().filter(moves).map(|name| name.value.clone()).collect();
-    for relative in case.tables("relative") {
+    for relative in case.tables("monitor_pair") {
         let between = relative.texts("between");
         if let [a, b] = &between[..]
             && !columns.insert(format!("{}-{}", a.value, b.value))

@@ -41,7 +41,7 @@ pub(crate) static INITIAL: Table = Table {
             "Initial stress by the weight above: horizontal over vertical stress, along x and y or one number for both",
         ),
         Key::optional(
-            "lateral_of",
+            "k0_stress",
             Kind::Word(LateralOf::WORDS),
             "",
             "Of which stresses `lateral` is the ratio where there is water: effective ones, if left out, or total",
@@ -315,7 +315,7 @@ impl Initial {
             base: f.word("base", BaseHold::from_word)?,
             gravity: f.number("gravity")?,
             lateral_of: f
-                .word("lateral_of", LateralOf::from_word)
+                .word("k0_stress", LateralOf::from_word)
                 .map_or(LateralOf::Effective, |word| word.value),
             stress,
             overburden,

@@ -57,6 +57,8 @@ pub enum Kind {
     Flag,
     /// A unit alone, read as its SI value.
     Unit(Dimension),
+    /// A permeability in m² or in m²/(Pa s), read as the hydraulic conductivity \[m/s\] for water.
+    Permeability,
     /// One of these words.
     Word(&'static [&'static str]),
     /// From so many to so many values of one kind.

@@ -47,6 +47,7 @@ mod page;
 mod reference;
 mod region;
 mod reinforcement;
+mod renamed;
 mod report;
 mod schema;
 mod seams;

@@ -68,7 +68,7 @@ fn value(kind: &Kind) -> ListedValue {
     ListedValue::Other(match kind {
         Kind::Number(dimension, _) => return ListedValue::Number(*dimension),
         Kind::Count(_) => "count",
-        Kind::Text | Kind::File | Kind::Word(_) | Kind::Unit(_) => "word",
+        Kind::Text | Kind::File | Kind::Word(_) | Kind::Unit(_) | Kind::Permeability => "word",
         Kind::Flag => "flag",
         Kind::Name => "name",
         Kind::List(..) | Kind::Numbers(_) => "list",

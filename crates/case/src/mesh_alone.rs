@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
-use crate::case::CASE;
+use crate::case::{CASE, X_AZIMUTH};
 use crate::check::{Checker, UNITS};
 use crate::keys::{Key, Kind, Table};
 use crate::laws::Laws;
@@ -17,6 +17,7 @@ static MESH_ALONE: Table = Table {
     keys: &[
         Key::optional("title", Kind::Text, "", "What the mesh is for"),
         UNITS,
+        X_AZIMUTH,
         Key::required("mesh", Kind::Table(&MESH), "with [mesh.caverns], [mesh.box] or [mesh.file]"),
     ],
     choice: &[],
@@ -60,7 +61,9 @@ impl MeshAlone {
         if let Some(mesh) = mesh {
             Mesh::check(mesh, &mut problems);
         }
-        match mesh.and_then(|mesh| Some((Mesh::read(mesh)?, Ground::read(mesh)?))) {
+        let azimuth = written.number(X_AZIMUTH.name).map(|azimuth| azimuth.value);
+        let parts = |mesh, azimuth| Some((Mesh::read(mesh, azimuth)?, Ground::read(mesh, azimuth)?));
+        match mesh.zip(azimuth).and_then(|(mesh, azimuth)| parts(mesh, azimuth)) {
             Some((mesh, ground)) if problems.is_empty() => {
                 Ok(Some(MeshAlone { path: path.to_owned(), source: source.to_owned(), mesh, ground }))
             }

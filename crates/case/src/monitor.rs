@@ -1,4 +1,4 @@
-//! `[[monitor]]` and `[[relative]]`: points whose histories are kept.
+//! `[[monitor]]` and `[[monitor_pair]]`: points whose histories are kept.
 
 use std::ops::Range;
 
@@ -46,7 +46,7 @@ pub(crate) static MONITOR: Table = Table {
 };
 
 pub(crate) static RELATIVE: Table = Table {
-    path: "relative",
+    path: "monitor_pair",
     doc: "Two monitors whose difference of displacement is kept.",
     keys: &[Key::required("between", Kind::List(&Kind::Text, 2, 2), "names of two monitors")],
     choice: &[],

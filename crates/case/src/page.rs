@@ -48,7 +48,7 @@ pub(crate) static LIMITS: Table = Table {
             "relative_displacement",
             LENGTH,
             "",
-            "Of two monitors against each other, of every [[relative]]: what closes or widens an opening",
+            "Of two monitors against each other, of every [[monitor_pair]]: what closes or widens an opening",
         ),
         Key::optional(
             "crack_width",

@@ -184,6 +184,7 @@ fn value(key: &str, kind: &Kind) -> String {
         Kind::Columns(_) => "a table of columns:".to_owned(),
         Kind::Set(_) => "a table of numbers:".to_owned(),
         Kind::Either(kinds) => kinds.iter().map(|kind| value(key, kind)).collect::<Vec<_>>().join(" or "),
+        Kind::Permeability => "a permeability in m2 or in m2/(Pa s), `\"1e-14 m2\"`".to_owned(),
         Kind::Unit(dimension) => format!("a unit of {}", units::name_for(key, *dimension)),
         _ => suggest::describe(key, kind),
     }

@@ -27,7 +27,7 @@ pub(crate) static REGION: Table = Table {
             "element",
             Kind::Word(Element::WORDS),
             "of linings and shotcrete that [mesh.caverns] makes layered in one layer, full in several; else it must be given",
-            "one-point: fast, for rock; full: 2×2×2 points, for linings of two and more elements through their thickness; \
+            "reduced-integration: one point, fast, for rock; full-integration: 2×2×2 points, for linings of two and more elements through their thickness; \
              layered: 2×2 points in layers through the thickness, for linings one element thick",
         )
         .when(When::IsNot("material", VOID)),
@@ -62,9 +62,9 @@ words! {
     /// How an element is integrated.
     Element {
         /// One point and assumed-strain stabilisation.
-        OnePoint = "one-point",
+        OnePoint = "reduced-integration",
         /// The same assumed strain at 2×2×2 points.
-        Full = "full",
+        Full = "full-integration",
         /// The same at 2×2 points in several layers through the thickness.
         Layered = "layered",
     }

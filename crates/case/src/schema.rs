@@ -113,6 +113,9 @@ fn kind(key: &str, kind: &Kind, laws: Laws<'_>) -> Map<String, Value> {
         Kind::Text | Kind::File => json!({ "type": "string", "minLength": 1 }),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Name => json!({ "type": "string", "pattern": r#"^[^\s.,\[\]*?"'=+@-][^\s.,\[\]*?"']*$"# }),
+        Kind::Permeability => {
+            json!({ "type": "string", "minLength": 1, "examples": ["1e-14 m2", "1e-11 m2/(Pa s)"] })
+        }
         Kind::Unit(dimension) => {
             let like = units::example(key, *dimension);
             let unit = like.split_once(' ').map_or("", |(_, unit)| unit);

@@ -18,7 +18,7 @@ fn values(stand: &Stand) -> Values {
         .with("normal_stiffness", stand.normal)
         .with("shear_stiffness", stand.shear)
         .with("cohesion", stand.cohesion)
-        .with("friction", stand.friction)
+        .with("friction_coefficient", stand.friction)
         .with("tensile_strength", stand.tension)
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn told(planes: &[CutPlane]) -> Vec<Defaulted> {
             ("normal_stiffness", format!("E(1 - nu)/((1 + nu)(1 - 2 nu)) {over}")),
             ("shear_stiffness", format!("G {over}")),
             ("cohesion", format!("that of {of}, gone once it breaks")),
-            ("friction", format!("tan of the friction angle of {of}")),
+            ("friction_coefficient", format!("tan of the friction angle of {of}")),
             ("tensile_strength", format!("that of {of}")),
         ];
         let name = &plane.name.value;

@@ -73,7 +73,7 @@ pub(crate) static SECTION: Table = Table {
             "By which resistances are divided beyond that: structural factor, importance and situation of formats that have them, all in one",
         ),
         Key::default(
-            "dynamic",
+            "dynamic_factor",
             FACTOR,
             "1",
             "By which strengths of concrete are multiplied while the ground shakes",
@@ -145,7 +145,7 @@ impl Section {
             alpha_cc: number("alpha_cc")?,
             alpha_ct: number("alpha_ct")?,
             gamma_d: number("gamma_d")?,
-            dynamic: number("dynamic")?,
+            dynamic: number("dynamic_factor")?,
             bar_diameter: f.number("bar_diameter"),
             plain_tension: f.flag("plain_tension")?,
             span: f.span.clone(),

@@ -134,6 +134,7 @@ pub(crate) fn describe(key: &str, kind: &Kind) -> String {
         Kind::Name => "a name".to_owned(),
         Kind::Flag => "true or false".to_owned(),
         Kind::Unit(_) => "a unit".to_owned(),
+        Kind::Permeability => "a permeability in m2 or m2/(Pa s)".to_owned(),
         Kind::Word(words) => format!("one of \"{}\"", words.join("\", \"")),
         Kind::List(kind, least, most) if least == most => {
             format!("a list of {least}, each {}", describe(key, kind))
@@ -171,6 +172,7 @@ fn sample_value(name: &str, kind: &Kind) -> String {
         }
         Kind::Text | Kind::File | Kind::Name => "\"…\"".to_owned(),
         Kind::Flag => "true".to_owned(),
+        Kind::Permeability => "\"… m2\"".to_owned(),
         Kind::Unit(dimension) => {
             let like = units::example(name, *dimension);
             format!("\"{}\"", like.split_once(' ').map_or(like.as_str(), |(_, unit)| unit))

@@ -11,7 +11,7 @@ use crate::check::{Checker, given};
 use crate::fields::{Fields, Item, Node};
 use crate::keys::{Key, Kind, Limit};
 use crate::law_key::{self, COLUMNS, SET};
-use crate::{Spanned, key_path, suggest, units};
+use crate::{Spanned, key_path, renamed, suggest, units};
 
 /// What to do about a name that [`begins_a_formula`].
 pub const NO_FORMULA: &str = "names stand in tables, where spreadsheets take = + - @ at the beginning for a formula: begin with another character";
@@ -20,6 +20,14 @@ pub const NO_FORMULA: &str = "names stand in tables, where spreadsheets take = +
 pub fn begins_a_formula(text: &str) -> bool {
     text.starts_with(['=', '+', '-', '@']) && !text.parse().is_ok_and(f64::is_finite)
 }
+
+/// Of water: density \[kg/m³\], dynamic viscosity \[Pa s\] at 20 °C; and gravity \[m/s²\].
+const WATER_DENSITY: f64 = 1000.0;
+const WATER_VISCOSITY: f64 = 1.0e-3;
+const GRAVITY: f64 = 9.81;
+const AREA: Dimension = Dimension { length: 2, mass: 0, time: 0, angle: 0 };
+/// m²/(Pa s)
+const MOBILITY: Dimension = Dimension { length: 3, mass: -1, time: 1, angle: 0 };
 
 impl Checker<'_> {
     /// Checks a value; nothing if it is refused, and then the problem is kept.
@@ -51,6 +59,7 @@ impl Checker<'_> {
                     return self.refuse(&span, path, &e.message(key), &suggest::unit(key, &e, *dimension));
                 }
             },
+            (Kind::Permeability, DeValue::String(text)) => self.permeability(text, &span, path)?,
             (Kind::Word(words), DeValue::String(text)) => self.word(words, text, &span, path)?,
             (Kind::List(kind, least, most), DeValue::Array(values))
                 if (*least..=*most).contains(&values.len()) =>
@@ -238,6 +247,32 @@ impl Checker<'_> {
         self.refuse(span, path, &message, &remedy)
     }
 
+    /// K = k ρ g/μ of a permeability k in m², and K = k ρ g of one in m²/(Pa s).
+    fn permeability(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
+        let plain = ["(Pa s)", "(Pa*s)", "(Pa·s)"]
+            .iter()
+            .fold(text.to_owned(), |text, unit| text.replace(unit, "Pa/s"));
+        let weight = WATER_DENSITY * GRAVITY;
+        let conductivity = match (units::parse(&plain, AREA), units::parse(&plain, MOBILITY)) {
+            (Ok(area), _) => area * weight / WATER_VISCOSITY,
+            (_, Ok(mobility)) => mobility * weight,
+            _ if units::parse(text, Dimension::VELOCITY).is_ok() => {
+                let remedy = format!("write hydraulic_conductivity = \"{}\"", text.trim());
+                return self.refuse(span, path, "in m/s is a hydraulic conductivity", &remedy);
+            }
+            _ => {
+                let remedy =
+                    "write it as \"1e-14 m2\" or \"1e-11 m2/(Pa s)\", or give `hydraulic_conductivity`";
+                return self.refuse(span, path, "is not a permeability in m2 or m2/(Pa s)", remedy);
+            }
+        };
+        if conductivity > 0.0 {
+            Some(Item::Number(conductivity))
+        } else {
+            self.refuse(span, path, "must be above 0", "give a value above 0")
+        }
+    }
+
     /// A text, on one line or several.
     fn text(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Item> {
         let commands = |c: char| c.is_control() && c != '\n';
@@ -274,7 +309,10 @@ impl Checker<'_> {
         if words.contains(&text) {
             return Some(Item::Text(text.to_owned()));
         }
-        let remedy = suggest::word(text, words);
+        let remedy = match renamed::word(text, words) {
+            Some(new) => format!("write \"{new}\", its new name"),
+            None => suggest::word(text, words),
+        };
         self.refuse(span, path, &format!("cannot be \"{text}\""), &remedy)
     }
 
@@ -338,7 +376,9 @@ fn fits(kind: &Kind, value: &DeValue<'_>) -> bool {
         Kind::Number(..) => matches!(value, DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)),
         Kind::Count(_) => value.is_integer(),
         Kind::Flag => matches!(value, DeValue::Boolean(_)),
-        Kind::Text | Kind::File | Kind::Name | Kind::Unit(_) | Kind::Word(_) => value.is_str(),
+        Kind::Text | Kind::File | Kind::Name | Kind::Unit(_) | Kind::Permeability | Kind::Word(_) => {
+            value.is_str()
+        }
         Kind::List(..) | Kind::Numbers(_) | Kind::Tables(_) | Kind::Interfaces(_) => value.is_array(),
         Kind::Table(_) | Kind::Map(..) | Kind::Columns(_) | Kind::Set(_) | Kind::Materials(_) => {
             value.is_table()

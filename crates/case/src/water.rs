@@ -73,11 +73,20 @@ pub(crate) static OF_MATERIAL: Table = Table {
         )
         .when(When::Without("porosity")),
         Key::optional(
-            "permeability",
+            "hydraulic_conductivity",
             Kind::Number(Dimension::VELOCITY, Limit::Positive),
             "",
-            "Hydraulic conductivity, for seepage; left out: tight",
-        ),
+            "Hydraulic conductivity K, for seepage; left out: tight",
+        )
+        .when(When::Without("permeability")),
+        Key::optional(
+            "permeability",
+            Kind::Permeability,
+            "",
+            "In place of the conductivity: permeability k in m2, or k/μ in m2/(Pa s). K = k ρ g/μ with ρ = 1000 kg/m3, μ = 1.0e-3 Pa s and \
+             g = 9.81 m/s2",
+        )
+        .when(When::Without("hydraulic_conductivity")),
         Key::optional(
             "saturated_unit_weight",
             Kind::Number(Dimension::UNIT_WEIGHT, Limit::Positive),
@@ -179,7 +188,7 @@ pub struct Pores {
     /// Skempton's coefficient, where it is given, in (0, 1).
     pub skempton: Option<Spanned<f64>>,
     /// Hydraulic conductivity, m/s; none: tight.
-    pub permeability: Option<Spanned<f64>>,
+    pub hydraulic_conductivity: Option<Spanned<f64>>,
     /// N/m³, where there is water at the start.
     pub saturated_unit_weight: Option<Spanned<f64>>,
 }
@@ -227,7 +236,7 @@ impl Pores {
             biot: f.number("biot")?,
             porosity: f.number("porosity"),
             skempton: f.number("skempton"),
-            permeability: f.number("permeability"),
+            hydraulic_conductivity: f.number("hydraulic_conductivity").or_else(|| f.number("permeability")),
             saturated_unit_weight: f.number("saturated_unit_weight"),
         })
     }

@@ -32,7 +32,7 @@ pub(crate) fn check(
     {
         for material in materials {
             let Some(node) = material.fields.get("water") else { continue };
-            let says = |pores: &Fields| ["porosity", "skempton"].iter().any(|key| pores.get(key).is_some());
+            let says = |pores: &Fields| ["porosity", "skempton"].iter().any(|key| pores.get(*key).is_some());
             let refused = written.is_refused(&path(material));
             if node.table().is_some_and(|pores| !says(pores)) && !refused {
                 problems.push(Diagnostic::new(
@@ -59,7 +59,7 @@ fn path(material: &Material) -> String {
 
 /// Refuses what says something of water in a case that has none.
 fn without(case: &Fields, materials: &[Material], problems: &mut Vec<Diagnostic>) {
-    let of_initial = case.table("initial").and_then(|initial| initial.get("lateral_of"));
+    let of_initial = case.table("initial").and_then(|initial| initial.get("k0_stress"));
     let of_materials =
         materials.iter().filter_map(|m| m.fields.get("water")).filter(|node| node.table().is_some());
     let of_stages = case.tables("stage").filter_map(|stage| stage.get("water"));
@@ -135,7 +135,9 @@ fn seepage(
         case.tables("region").filter_map(|region| region.text("material")).map(|name| name.value).collect();
     let flows = |material: &&Material| {
         let pores = material.fields.get("water").and_then(|node| node.table());
-        pores.is_some_and(|pores| pores.get("permeability").is_some())
+        pores.is_some_and(|pores| {
+            ["hydraulic_conductivity", "permeability"].iter().any(|key| pores.get(*key).is_some())
+        })
     };
     let of_regions: Vec<&Material> =
         materials.iter().filter(|material| used.contains(&material.name.value)).collect();
@@ -146,8 +148,8 @@ fn seepage(
     if !(is_refused || of_regions.iter().any(flows)) {
         problems.push(Diagnostic::at(
             &pressure,
-            "no material of a region has a permeability, so that no water flows",
-            "give the rock one: water = { permeability = \"1e-7 m/s\" }",
+            "no material of a region has a hydraulic conductivity, so that no water flows",
+            "give the rock one: water = { hydraulic_conductivity = \"1e-7 m/s\" }",
         ));
     }
 }

@@ -62,8 +62,8 @@ impl Edge {
 
 /// The base with springs of the coefficients that a case has which does not give them.
 fn springs() -> Base {
-    let source = include_str!("../src/commands/new_case.toml");
-    let case = Case::parse(File::new("case.toml"), source, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
+    let source = include_str!("../src/commands/new_case.toml").replace("\"viscous\"", "\"viscous-spring\"");
+    let case = Case::parse(File::new("case.toml"), &source, MATERIALS).unwrap_or_else(|e| panic!("{e}"));
     match &case.dynamic.base.value {
         Given::ViscousSpring { normal, tangential, .. } => Base::ViscousSpring {
             normal: normal.value,

@@ -249,7 +249,14 @@ fn triaxial<M: Material>(law: &M, pressure: f64, end: f64, rows: usize) -> Respo
 fn rock_envelopes() -> String {
     let mc: MohrCoulomb = law(&[&MODULI[..], &ROCK].concat(), &[]);
     let mass = |gsi: f64, d: f64| -> HoekBrown {
-        law(&[&MODULI[..], &[("ucs", 80e6), ("gsi", gsi), ("m_i", 12.0), ("disturbance", d)]].concat(), &[])
+        law(
+            &[
+                &MODULI[..],
+                &[("compressive_strength", 80e6), ("gsi", gsi), ("m_i", 12.0), ("disturbance", d)],
+            ]
+            .concat(),
+            &[],
+        )
     };
     let cone = |fit: &str| -> DruckerPrager { law(&[&MODULI[..], &ROCK].concat(), &[("fit", fit)]) };
     fn strongest<M: Material>(law: &M, pressure: f64) -> [f64; 2] {

@@ -80,9 +80,9 @@ overburden = "150 m"
 below = "40 m"
 sides = "40 m"
 length = "2 m"
-near = "0.7 m"
-far = "12 m"
-along = "1 m"
+size_near = "0.7 m"
+size_far = "12 m"
+size_along = "1 m"
 [[mesh.caverns.cavern]]
 name = "tunnel"
 shape = "circle"
@@ -100,7 +100,7 @@ tensile_strength = "0.1 MPa"
 [[region]]
 groups = ["rock", "tunnel.*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 gravity = "9.81 m/s2"
 lateral = 1.0

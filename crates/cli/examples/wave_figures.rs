@@ -58,15 +58,15 @@ density = "2300 kg/m3"
 [[region]]
 groups = ["hard"]
 material = "hard"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["weathered"]
 material = "weathered"
-element = "one-point"
+element = "reduced-integration"
 "#;
 
 /// A box of level ground in three layers, its size \[m\] and elements, under SV at 25° towards 30°.
@@ -111,7 +111,7 @@ fn pulse() -> Given {
 
 /// Velocity of model and field at the upper corners, over time; and the largest difference over the largest velocity.
 fn corners() -> Result<(String, f64), Box<dyn Error>> {
-    let motion = "kind = \"incident\"\nnorth = { file = \"pulse\", units = \"m/s2\", dt = \"0.005 s\" }\nprocess = [\"baseline\"]\n";
+    let motion = "kind = \"incident\"\nnorth = { file = \"pulse\", units = \"m/s2\", dt = \"0.005 s\" }\nprocessing = [\"baseline\"]\n";
     let size = [120, 180, 60];
     let text = case(size, [30, 45, 15], motion, "duration = \"0.9 s\"\nlevels = 1\n");
     let job = job(&text, &pulse())?;
@@ -187,7 +187,7 @@ const BAND: [f64; 2] = [0.1, 2.0];
 fn depth() -> Result<(String, Vec<String>), Box<dyn Error>> {
     let motion = format!(
         "kind = \"outcrop\"\nnorth = {{ file = \"20161113_110259_WTMC_20.V2A\", channel = \"20161113_110259_WTMC_20 N28W\" }}\ntarget = \"{TARGET}\"\n\
-         process = [\"detrend linear\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\", \"baseline\", \"match {} s {} s\"]\n",
+         processing = [\"detrend linear\", \"taper 1 s\", \"bandpass 0.1 Hz 20 Hz\", \"baseline\", \"match {} s {} s\"]\n",
         BAND[0], BAND[1]
     );
     let size = [40, 40, 100];

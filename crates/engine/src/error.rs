@@ -16,7 +16,7 @@ pub enum ModelError {
     BadElement { element: u64, body: String, reason: BadShape },
     #[error(
         "the thickness of element {element} of '{body}' is not to be told: {reason}; give such elements a region of their own \
-         with element = \"full\""
+         with element = \"full-integration\""
     )]
     Thickness { element: u64, body: String, reason: String },
     #[error("the sides {low} and {high} cannot be periodic: {reason}")]

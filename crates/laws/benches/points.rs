@@ -222,7 +222,7 @@ fn rocks() {
         "softening",
         &[("plastic_shear_strain", &[0.0, 2e-3, 1e-2]), ("cohesion", &[2.18e6, 1.4e6, 1e6])],
     );
-    let mass = rock.with("ucs", 60e6).with("gsi", 60.0).with("m_i", 12.0);
+    let mass = rock.with("compressive_strength", 60e6).with("gsi", 60.0).with("m_i", 12.0);
     let dilatant = mass.clone().with("dilation_angle", 10f64.to_radians());
     for (state, size) in [("elastic", 1e-5), ("yielding", 2e-3)] {
         rock_law::<MohrCoulomb>(&cone, state, size);

@@ -64,7 +64,9 @@ pub fn graded(
     if !(from.is_finite() && to.is_finite() && to > from) {
         return Err(GradingError::Ends { from, to });
     }
-    for (what, value) in [("near", near.0.unwrap_or(far)), ("near", near.1.unwrap_or(far)), ("far", far)] {
+    for (what, value) in
+        [("size_near", near.0.unwrap_or(far)), ("size_near", near.1.unwrap_or(far)), ("size_far", far)]
+    {
         if !(value.is_finite() && value > 0.0) {
             return Err(GradingError::Size { what, value });
         }

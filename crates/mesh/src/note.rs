@@ -100,7 +100,7 @@ impl fmt::Display for Note {
             Note::MovedCut { cavern, bench, from, to } => write!(
                 f,
                 "the cut below bench {bench} of cavern `{cavern}` lies {to:.3} m above its floor, at a gallery's floor or \
-                 roof, not {from:.3} m, as equal benches have it; a lower `near` keeps it there"
+                 roof, not {from:.3} m, as equal benches have it; a lower `size_near` keeps it there"
             ),
             Note::Stepped { layer } => write!(
                 f,

@@ -115,7 +115,7 @@ fn read_record<'py>(
     Ok((to_python(py, &channels)?, remarks))
 }
 
-/// A record after steps of processing, as `motion.process` of a case has them.
+/// A record after steps of processing, as `motion.processing` of a case has them.
 #[pyfunction]
 fn process_record<'py>(motion: &Bound<'py, PyAny>, steps: Vec<String>) -> PyResult<Bound<'py, PyAny>> {
     let mut channels = of_python(motion)?;

@@ -30,7 +30,7 @@ COLUMN = {
         }
     },
     "material": {"rock": {"law": "elastic", "young": "2 GPa", "poisson": 0.25, "density": "2500 kg/m3"}},
-    "region": [{"groups": ["rock"], "material": "rock", "element": "one-point"}],
+    "region": [{"groups": ["rock"], "material": "rock", "element": "reduced-integration"}],
     "motion": {"kind": "incident", "file": "pulse"},
     "dynamic": {"base": "viscous", "sides": "periodic"},
     "monitor": [{"name": "top", "at": ["1 m", "1 m", "-1 m"]}],

@@ -47,7 +47,7 @@ def test_the_command_gives_the_same_numbers(command, tmp_path):
 
 
 def test_an_interface_slides_at_its_strength():
-    law = tr.law("coulomb", interface=True, normal_stiffness="10 GPa/m", shear_stiffness="5 GPa/m", friction=0.6)
+    law = tr.law("coulomb", interface=True, normal_stiffness="10 GPa/m", shear_stiffness="5 GPa/m", friction_coefficient=0.6)
     path = law.drive_interface(pressure=1e6, slip=np.linspace(0.0, 1e-3, 20))
     assert path.shear[-1, 0] == pytest.approx(0.6e6) and path.pressure == pytest.approx(1e6)
 

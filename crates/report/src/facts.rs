@@ -91,7 +91,11 @@ pub fn outcome(source: &Source) -> Outcome {
     } else {
         &summary.conclusion.outcome
     };
-    Outcome { class, headline: headline.into(), text: told(language, &summary.conclusion.outcome_message, text) }
+    Outcome {
+        class,
+        headline: headline.into(),
+        text: told(language, &summary.conclusion.outcome_message, text),
+    }
 }
 
 /// What became of each structure, each a banner of its own: a sound run may show a lining that fails.
@@ -240,7 +244,7 @@ fn monitors(language: Language, summary: &Summary) -> Vec<Fact> {
     if !summary.monitors.monitor_positions.is_empty() {
         let places: Vec<_> = summary
             .monitors
-            .positions
+            .monitor_positions
             .iter()
             .map(|(name, p)| format!("{name}\u{a0}({})", place(p)))
             .collect();

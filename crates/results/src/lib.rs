@@ -5,7 +5,7 @@
 //!
 //! | file | module | content |
 //! |---|---|---|
-//! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, trust lines |
+//! | `summary.json` | [`summary`] | verdict, facts of the model, peaks, checks |
 //! | `monitors.csv`, `energy.csv`, `damage.csv` | [`table`] | histories; headers are `name [unit]` |
 //! | `interfaces.csv` | [`table`] | the same of interfaces |
 //! | `monitors.columns.json` … | [`columns`] | whose the columns of a table are, and which quantity |

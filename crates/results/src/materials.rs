@@ -43,7 +43,7 @@ pub struct MaterialGroup {
     pub body: String,
     /// Number of elements.
     pub elements: u64,
-    /// `one-point` or `full`.
+    /// `reduced-integration` or `full-integration`.
     pub element: String,
 }
 

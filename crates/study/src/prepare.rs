@@ -121,11 +121,11 @@ pub fn with_motion(
     }
     if let Some(factor) = factor {
         let scale = format!("\"scale {}\"", told(factor));
-        let before = motion.iter().position(|(key, _)| key == "process").map(|k| motion.remove(k).1);
+        let before = motion.iter().position(|(key, _)| key == "processing").map(|k| motion.remove(k).1);
         let steps =
             before.as_deref().and_then(|list| list.strip_prefix('[')?.strip_suffix(']')).unwrap_or_default();
         let steps = if steps.trim().is_empty() { scale } else { format!("{steps}, {scale}") };
-        motion.push(("process".to_owned(), format!("[{steps}]")));
+        motion.push(("processing".to_owned(), format!("[{steps}]")));
     }
     motion.sort();
     let entries: Vec<String> = motion.iter().map(|(key, value)| format!("{key} = {value}")).collect();

@@ -59,7 +59,7 @@ const MOST_STEPS: u64 = 100_000_000_000;
 /// [[region]]
 /// groups = ["rock"]
 /// material = "rock"
-/// element = "one-point"
+/// element = "reduced-integration"
 /// [motion]
 /// kind = "incident"
 /// east = { file = "pulse" }
@@ -98,8 +98,6 @@ pub struct Job {
     pub groups: Vec<(String, usize)>,
     /// Frequency at which moduli are meant with damping over a band \[Hz\].
     pub reference: Option<f64>,
-    /// Why the base is not the one that is usual, where the case leaves it out.
-    pub base_without_springs: Option<String>,
     /// The case and what it names.
     pub inputs: Vec<Input>,
     pub model: Arc<Model>,
@@ -193,7 +191,6 @@ impl Job {
             materials: setup.materials,
             groups,
             reference: setup.reference,
-            base_without_springs: setup.base_without_springs,
             inputs: setup.inputs,
             model,
             assembly,
@@ -246,7 +243,6 @@ impl Job {
             motion: self.motion.as_ref(),
             materials: &self.materials,
             reference: self.reference,
-            base_without_springs: self.base_without_springs.as_deref(),
             dt: self.dt,
         })
     }

@@ -174,7 +174,7 @@ pub fn summary(evidence: Evidence) -> Summary {
         case: CaseFacts {
             report: plan.page.clone(),
             assume_si: evidence.bare_si,
-            before: evidence.before,
+            warnings: evidence.before,
             facts,
             inputs: evidence.inputs,
             version: env!("CARGO_PKG_VERSION").to_owned(),

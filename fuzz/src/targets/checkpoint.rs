@@ -27,7 +27,7 @@ friction_angle = "40 deg"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 lateral = 0.5
 [[stage]]

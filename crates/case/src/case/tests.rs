@@ -68,7 +68,7 @@ fn cases() -> Vec<String> {
             .replace(
                 "[material.rock]",
                 "[water]\nlevel = \"3 m\"\npressure = \"seepage\"\nheads = { sides = \"3 m\" }\n[material.rock]\n\
-                 water = { permeability = \"1e-7 m/s\" }",
+                 water = { hydraulic_conductivity = \"1e-7 m/s\" }",
             )
             .replacen(
                 "[[stage]]",
@@ -89,7 +89,7 @@ fn cases() -> Vec<String> {
             .replace("target = { period = [\"0.1 s\", \"0.5 s\"], sa = [\"5 m/s2\", \"2 m/s2\"] }", "target = { file = \"code.csv\" }"),
         format!("{head}file = \"a.V2A\"\nwindow = {{ strongest = \"12 s\" }}\nprocess{tail}"),
         with_waves(
-            "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\npart = \"up\"\n\
+            "[[motion.wave]]\ntype = \"SV\"\nangle = \"20 deg\"\nazimuth = \"30 deg\"\ncomponent = \"east\"\nscale = 0.5\nsurface_component = \"up\"\n\
              [[motion.wave]]\ntype = \"SH\"\nangle = \"0 deg\"\nazimuth = \"0 deg\"\ncomponent = \"north\"\n\
              [[motion.wave]]\ntype = \"P\"\nangle = \"0 deg\"\nazimuth = \"0 deg\"\ncomponent = \"up\"\n",
         ),

@@ -33,13 +33,13 @@ pub(super) static CAVERNS: Table = Table {
             "rock from the outermost linings, or their shotcrete, to the sides of the block",
         ),
         Key::required("length", LENGTH, "length of the block along the caverns"),
-        Key::required("near", LENGTH, "element size at the caverns"),
-        Key::required("far", LENGTH, "element size far from the caverns"),
+        Key::required("size_near", LENGTH, "element size at the caverns"),
+        Key::required("size_far", LENGTH, "element size far from the caverns"),
         Key::optional(
-            "along",
+            "size_along",
             LENGTH,
-            "the size `near`",
-            "Element size along the caverns; beyond the ends of all of them elements grow, up to `far`",
+            "the size `size_near`",
+            "Element size along the caverns; beyond the ends of all of them elements grow, up to `size_far`",
         ),
         Key::required("cavern", Kind::Tables(&cavern::CAVERN), "the caverns"),
         Key::optional(
@@ -89,10 +89,11 @@ pub struct Caverns {
 }
 
 impl Caverns {
-    pub(super) fn read(f: &Fields) -> Option<Self> {
+    pub(super) fn read(f: &Fields, x_azimuth: f64) -> Option<Self> {
         let caverns: Vec<Option<Cavern>> = f.tables("cavern").map(Cavern::read).collect();
-        let along = f.number("along");
-        let layers: Vec<Option<RockLayer>> = f.tables("layer").map(RockLayer::read).collect();
+        let along = f.number("size_along");
+        let layer = |layer| RockLayer::read(layer, x_azimuth);
+        let layers: Vec<Option<RockLayer>> = f.tables("layer").map(layer).collect();
         let galleries: Vec<Option<Gallery>> = f.tables("gallery").map(Gallery::read).collect();
         let ground = f.table("ground").map(GroundSurface::read);
         Some(Caverns {
@@ -100,8 +101,8 @@ impl Caverns {
             below: f.number("below")?,
             sides: f.number("sides")?,
             length: f.number("length")?,
-            near: f.number("near")?,
-            far: f.number("far")?,
+            near: f.number("size_near")?,
+            far: f.number("size_far")?,
             along,
             caverns: caverns.into_iter().collect::<Option<_>>()?,
             layers: layers.into_iter().collect::<Option<_>>()?,
@@ -115,13 +116,13 @@ impl Caverns {
     }
 
     pub(super) fn check(f: &Fields, problems: &mut Vec<Diagnostic>) {
-        if let (Some(near), Some(far)) = (f.number("near"), f.number("far"))
+        if let (Some(near), Some(far)) = (f.number("size_near"), f.number("size_far"))
             && near.value > far.value
         {
             problems.push(Diagnostic::at(
                 &near,
-                "`near` is larger than `far`",
-                "elements grow from `near` at the caverns to `far`: give `near` the smaller size",
+                "`size_near` is larger than `size_far`",
+                "elements grow from `size_near` at the caverns to `size_far`: give `size_near` the smaller size",
             ));
         }
         let (mut caverns, block) = (BTreeSet::new(), f.number("length"));

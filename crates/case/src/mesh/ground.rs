@@ -20,10 +20,17 @@ pub struct Ground {
 }
 
 impl Ground {
-    pub(crate) fn read(mesh: &Fields) -> Option<Ground> {
+    /// `x_azimuth` \[rad\] is that of the model's x axis.
+    pub(crate) fn read(mesh: &Fields, x_azimuth: f64) -> Option<Ground> {
         Some(Ground {
-            planes: mesh.tables("plane").map(CutPlane::read).collect::<Option<_>>()?,
-            groups: mesh.tables("group").map(PlacedGroup::read).collect::<Option<_>>()?,
+            planes: mesh
+                .tables("plane")
+                .map(|plane| CutPlane::read(plane, x_azimuth))
+                .collect::<Option<_>>()?,
+            groups: mesh
+                .tables("group")
+                .map(|group| PlacedGroup::read(group, x_azimuth))
+                .collect::<Option<_>>()?,
             linings: mesh.tables("lining").map(HoleLining::read).collect::<Option<_>>()?,
         })
     }

@@ -98,8 +98,9 @@ pub struct MeshFile {
 }
 
 impl Mesh {
-    pub(crate) fn read(mesh: &Fields) -> Option<Mesh> {
-        let caverns = mesh.table("caverns").map(Caverns::read);
+    /// `x_azimuth` \[rad\] is that of the model's x axis.
+    pub(crate) fn read(mesh: &Fields, x_azimuth: f64) -> Option<Mesh> {
+        let caverns = mesh.table("caverns").map(|caverns| Caverns::read(caverns, x_azimuth));
         let boxes = mesh.table("box").map(MeshBox::read);
         let file = mesh.table("file").map(MeshFile::read);
         match (caverns, boxes, file) {

@@ -1,6 +1,6 @@
 //! `[[mesh.group]]`: groups by place, in generated meshes and in those that are read.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
 
 use tremolite_laws::parameter::Dimension;
@@ -18,9 +18,9 @@ pub(super) const THROUGH: Key = Key::required("through", POINT, "a point of the 
 pub(super) const DIPS: Key =
     Key::required("dip", DIP, "angle at which it falls, from level (0 deg) to upright (90 deg)");
 pub(super) const TOWARDS: Key = Key::required(
-    "dip_direction",
+    "dip_azimuth",
     DIRECTION,
-    "direction in which it falls, clockwise from y as a compass from north: 90 deg is +x",
+    "direction in which it falls, clockwise from north; y is north unless `model_x_azimuth` says otherwise",
 );
 
 pub(super) static GROUP: Table = Table {
@@ -117,7 +117,7 @@ pub struct PlaneAt {
     pub through: Spanned<[f64; 3]>,
     /// From 0 to π/2.
     pub dip: Spanned<f64>,
-    /// Clockwise from y seen from above, rad.
+    /// Direction in which it falls, clockwise from the model's y seen from above, rad.
     pub dip_direction: Spanned<f64>,
 }
 
@@ -137,20 +137,23 @@ pub enum GroupPlace {
 }
 
 impl PlacedGroup {
-    pub(super) fn read(f: &Fields) -> Option<Self> {
+    pub(super) fn read(f: &Fields, x_azimuth: f64) -> Option<Self> {
         let of = f.texts("of");
         let corners = f.get("box").map(|node| node.list());
         let (halfspace, cylinder, between) = (f.table("halfspace"), f.table("cylinder"), f.table("between"));
         let place = if let Some([one, other]) = corners {
             GroupPlace::Box([one.numbers()?, other.numbers()?])
         } else if let Some(half) = halfspace {
-            GroupPlace::Halfspace { plane: PlaneAt::read(half)?, above: half.text("side")?.value == "above" }
+            GroupPlace::Halfspace {
+                plane: PlaneAt::read(half, x_azimuth)?,
+                above: half.text("side")?.value == "above",
+            }
         } else if let Some(round) = cylinder {
             let ends = [round.numbers("from")?, round.numbers("to")?];
             GroupPlace::Cylinder { ends, radius: round.number("radius")? }
         } else {
             let between = between?;
-            match (between.numbers("levels"), planes(between)) {
+            match (between.numbers("levels"), planes(between, x_azimuth)) {
                 (Some(levels), _) => GroupPlace::Levels(levels),
                 (None, planes) => GroupPlace::Planes(planes?),
             }
@@ -206,16 +209,18 @@ pub(super) fn check_box(f: &Fields, problems: &mut Vec<Diagnostic>) {
 }
 
 /// Both planes.
-fn planes(f: &Fields) -> Option<[PlaneAt; 2]> {
-    f.tables("planes").map(PlaneAt::read).collect::<Option<Vec<_>>>()?.try_into().ok()
+fn planes(f: &Fields, x_azimuth: f64) -> Option<[PlaneAt; 2]> {
+    f.tables("planes")
+        .map(|plane| PlaneAt::read(plane, x_azimuth))
+        .collect::<Option<Vec<_>>>()?
+        .try_into()
+        .ok()
 }
 
 impl PlaneAt {
-    pub(super) fn read(f: &Fields) -> Option<Self> {
-        Some(PlaneAt {
-            through: f.numbers("through")?,
-            dip: f.number("dip")?,
-            dip_direction: f.number("dip_direction")?,
-        })
+    pub(super) fn read(f: &Fields, x_azimuth: f64) -> Option<Self> {
+        let mut dip_direction = f.number("dip_azimuth")?;
+        dip_direction.value -= x_azimuth - FRAC_PI_2;
+        Some(PlaneAt { through: f.numbers("through")?, dip: f.number("dip")?, dip_direction })
     }
 }

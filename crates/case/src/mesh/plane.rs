@@ -62,7 +62,7 @@ pub struct CutPlane {
 }
 
 impl CutPlane {
-    pub(super) fn read(f: &Fields) -> Option<Self> {
+    pub(super) fn read(f: &Fields, x_azimuth: f64) -> Option<Self> {
         let extent = f.number("extent");
         let whole = f.text("across")?.value == "whole";
         let seam = match f.table("seam") {
@@ -71,7 +71,7 @@ impl CutPlane {
         };
         Some(CutPlane {
             name: f.text("name")?,
-            plane: PlaneAt::read(f)?,
+            plane: PlaneAt::read(f, x_azimuth)?,
             extent,
             whole,
             seam,

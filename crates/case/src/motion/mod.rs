@@ -64,18 +64,18 @@ pub(crate) static MOTION: Table = Table {
         ),
         Key::optional("window", WINDOW_KIND, "the whole record", "The part of the record that is used"),
         Key::optional(
-            "process",
+            "processing",
             Kind::List(&Kind::Text, 0, 100),
             "no processing",
             "Steps of processing, in this order: \"detrend linear\", \"baseline\", \"baseline polynomial N\", \"pre-event S s\", \
              \"taper S s\", \"highpass F Hz\", \"lowpass F Hz\", \"bandpass F Hz F Hz\", \"scale X\", \"pga X g\" (the largest \
              component; the others by the same factor), \"match\" or \"match T s T s\" (to `target`, from one period to the other)",
         ),
-        Key::default(
-            "model_x_azimuth",
+        Key::optional(
+            "x_azimuth",
             Kind::Number(Dimension::ANGLE, Limit::Any),
-            r#""90 deg""#,
-            "Direction of the model's x axis, clockwise from north",
+            "",
+            "Direction of the model's x axis for this record alone, clockwise from north; left out: `model_x_azimuth`",
         ),
         Key::optional(
             "wave",
@@ -143,8 +143,8 @@ pub struct Motion {
     /// The part that is used; nothing: all.
     pub window: Option<Spanned<Window>>,
     /// Steps of processing as they are written, in this order; read by the motion crate.
-    pub process: Vec<Spanned<String>>,
-    /// Direction of the model's x axis, clockwise from north, rad.
+    pub processing: Vec<Spanned<String>>,
+    /// Direction of the model's x axis for the record, clockwise from north, rad: that of the case, unless the record has its own.
     pub model_x_azimuth: Spanned<f64>,
     /// Plane waves at angles; none: one rises straight up.
     pub waves: Vec<Wave>,
@@ -173,8 +173,8 @@ pub enum Window {
 }
 
 impl Motion {
-    /// Unit weights become densities by gravity, m/s².
-    pub(crate) fn read(f: &Fields, gravity: f64) -> Option<Self> {
+    /// Unit weights become densities by gravity, m/s². `model_x_azimuth` is that of the case.
+    pub(crate) fn read(f: &Fields, gravity: f64, model_x_azimuth: Spanned<f64>) -> Option<Self> {
         let kind = f.word("kind", MotionKind::from_word);
         let records = Records::read(f);
         let window = f.get("window").and_then(|node| {
@@ -192,8 +192,8 @@ impl Motion {
             target: Target::read(f),
             sensitivity: f.text("sensitivity"),
             encoding: f.text("encoding"),
-            process: f.texts("process"),
-            model_x_azimuth: f.number("model_x_azimuth")?,
+            processing: f.texts("processing"),
+            model_x_azimuth: f.number("x_azimuth").unwrap_or(model_x_azimuth),
             waves: f.tables("wave").filter_map(Wave::read).collect(),
             at: f.get("at").and_then(Node::numbers),
             span: f.span.clone(),

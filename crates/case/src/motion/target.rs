@@ -11,7 +11,7 @@ use crate::{Diagnostic, Spanned};
 pub(crate) static TARGET: Table = Table {
     path: "motion.target",
     doc: "Response spectrum that the design calls for of the motion given, horizontal, with 5 % damping, by points or from a file. The page \
-          draws it beside the record's; a step \"match\" of `process` fits the motion to it.",
+          draws it beside the record's; a step \"match\" of `processing` fits the motion to it.",
     keys: &[
         Key::optional(
             "file",

@@ -35,7 +35,7 @@ pub(crate) static WAVE: Table = Table {
         ),
         Key::default("scale", Kind::Number(Dimension::NONE, Limit::Any), "1.0", "Factor on that component"),
         Key::optional(
-            "part",
+            "surface_component",
             Kind::Word(SurfacePart::WORDS),
             "",
             "With `kind = \"outcrop\"`, the part of the rock surface's motion under it that the component is: \"along\" unless given",
@@ -108,7 +108,7 @@ impl Wave {
             azimuth: f.number("azimuth")?,
             component: f.word("component", WaveComponent::from_word)?,
             scale: f.number("scale")?,
-            part: f.word("part", SurfacePart::from_word),
+            part: f.word("surface_component", SurfacePart::from_word),
             span: f.span.clone(),
         })
     }
@@ -148,7 +148,7 @@ pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
             "give the waves' own motion with kind = \"incident\", or that of bare rock with \"outcrop\"; or leave the waves out",
         ));
     }
-    let part = waves.iter().find_map(|wave| wave.get("part"));
+    let part = waves.iter().find_map(|wave| wave.get("surface_component"));
     if let (Some(part), Some(kind)) = (part, motion.text("kind"))
         && kind.value == "incident"
     {
@@ -163,7 +163,7 @@ pub(super) fn check(motion: &Fields, problems: &mut Vec<Diagnostic>) {
     if let Some(first) = waves.iter().copied().find(|f| together(f)) {
         let mut kinds: Vec<String> = waves.iter().filter_map(|f| Some(f.text("type")?.value)).collect();
         kinds.sort_unstable();
-        let part = waves.iter().any(|f| f.get("part").is_some());
+        let part = waves.iter().any(|f| f.get("surface_component").is_some());
         if !waves.iter().all(together) || kinds != ["P", "SH", "SV"] || part {
             problems.push(Diagnostic::new(
                 first.get("component").map_or(first.span.clone(), |node| node.span.clone()),

@@ -143,7 +143,9 @@ impl RecordEntry {
             });
             let value = file
                 .map_or_else(|| value.clone(), |f| value.replacen(&named(&f.value), &placed(&f.value), 1));
-            (key.clone(), value)
+            // Turned alone: the ground stays as the case has it.
+            let key = if key == "model_x_azimuth" { "x_azimuth" } else { key };
+            (key.to_owned(), value)
         };
         self.entries.iter().map(value).collect()
     }

@@ -81,7 +81,7 @@ static RECORD: Table = Table {
         Key::optional("up", Kind::Table(&COMPONENT), "", "Component upwards"),
         Key::optional("window", WINDOW_KIND, "", "The part of the record that is used"),
         Key::optional(
-            "process",
+            "processing",
             Kind::List(&Kind::Text, 0, 100),
             "",
             "Steps of processing, in place of the case's",

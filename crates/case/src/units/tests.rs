@@ -201,7 +201,7 @@ fn a_stiffness_is_no_unit_weight_where_the_key_says_so() {
 fn a_bare_number_is_guessed_by_its_key_and_size() {
     for (key, value, dimension, meant) in [
         ("cohesion", 2.18, Dimension::PRESSURE, "2.18 MPa"),
-        ("ucs", 80.0, Dimension::PRESSURE, "80 MPa"),
+        ("compressive_strength", 80.0, Dimension::PRESSURE, "80 MPa"),
         ("cohesion", 500.0, Dimension::PRESSURE, "500 kPa"),
         ("cohesion", 2.18e6, Dimension::PRESSURE, "2.18 MPa"),
         ("young", 25.0, Dimension::PRESSURE, "25 GPa"),

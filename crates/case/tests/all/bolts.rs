@@ -22,8 +22,8 @@ fn with(bolts: &str) -> String {
     let (head, rest) = GOOD.split_once("[[stage.bolts]]").expect("bolts");
     let (_, tail) = rest.split_once("[[stage]]").expect("a second stage");
     let (stages, rest) = tail.split_once("[[monitor]]\nname = \"anchor\"").expect("a monitor on bolts");
-    let (_, end) = rest.split_once("[[relative]]").expect("what comes next");
-    format!("{head}{bolts}\n[[stage]]{stages}[[relative]]{end}")
+    let (_, end) = rest.split_once("[[monitor_pair]]").expect("what comes next");
+    format!("{head}{bolts}\n[[stage]]{stages}[[monitor_pair]]{end}")
 }
 
 fn only(case: &Case) -> &Bolts {

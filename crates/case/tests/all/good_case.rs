@@ -56,7 +56,8 @@ fn every_value_arrives_in_si() {
     let [weathered, sound] = &mesh.layers[..] else { panic!("two layers") };
     assert_eq!((weathered.name.value.as_str(), weathered.depth.value), ("weathered", 0.0));
     assert_eq!((sound.depth.value, sound.dip.value), (30.0, 12_f64.to_radians()));
-    assert_eq!(sound.dip_direction.value, 90_f64.to_radians());
+    // From x towards y: x points 30 deg east of north, and the layer falls towards 300 deg.
+    assert!((sound.dip_direction.value - (-270_f64).to_radians()).abs() < 1e-12);
     let [busbar] = &mesh.galleries[..] else { panic!("a gallery") };
     assert_eq!(busbar.between.each_ref().map(|b| b.value.as_str()), ["powerhouse", "transformer"]);
     assert_eq!((busbar.at.value, busbar.width.value, busbar.height.value), ([5.0, 14.0], 4.0, 3.5));
@@ -138,7 +139,7 @@ fn the_motion_arrives_with_its_records_and_the_places_of_its_steps() {
     assert!((gravel.compression_wave_velocity() / 600.0 - 3.5_f64.sqrt()).abs() < 1e-12);
     assert_eq!(motion.window.as_ref().map(|w| w.value), Some(Window::Between(20.5, 40.0)));
     assert_eq!(motion.model_x_azimuth.value, 30_f64.to_radians());
-    let steps: Vec<&str> = motion.process.iter().map(|s| &case.source[s.span.clone()]).collect();
+    let steps: Vec<&str> = motion.processing.iter().map(|s| &case.source[s.span.clone()]).collect();
     assert_eq!(steps, ["\"detrend linear\"", "\"scale 0.35\""]);
     let Records::Components(components) = &motion.records else { panic!("components") };
     let [Some(Component::Record(east)), Some(Component::Record(north)), Some(up)] = &**components else {
@@ -222,7 +223,8 @@ fn words_stand_for_bases_and_sides() {
 #[test]
 fn what_is_left_out_takes_its_default_and_is_listed() {
     let source = FIRST_SHAKE.split("[output]").next().expect("text before the output");
-    let case = read(source);
+    assert!(source.contains("base    = \"viscous\""));
+    let case = read(&source.replace("base    = \"viscous\"", "base = \"viscous-spring\""));
     let listed = |key: &str| case.defaulted.iter().find(|d| d.key == key).map(|d| d.value.as_str());
     assert_eq!(listed("initial.gravity"), Some("9.81 m/s2"));
     assert_eq!(case.initial.gravity.value, 9.81);

@@ -143,7 +143,7 @@ fn every_key_survives_a_value_of_every_kind() {
 
 /// A law file, by turns with each table.
 const LAW: &str = "size = \"1 m\"\n[material]\nlaw = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25\n\
-                   [interface]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction = 0.7\n";
+                   [interface]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction_coefficient = 0.7\n";
 
 #[test]
 fn every_beginning_and_end_of_a_law_file_is_read_or_refused() {

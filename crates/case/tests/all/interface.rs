@@ -20,7 +20,7 @@ between = [["*.lining"], "rock"]
 law = "bandis"
 max_closure = "2 mm"
 cohesion = "0.5 MPa"
-friction = 0.7
+friction_coefficient = 0.7
 "#;
 
 fn read(source: &str) -> Case {
@@ -132,7 +132,7 @@ const BAD: &[Bad] = &[
     bad("contact_limit = 0.9", "contact_limt = 0.9\ncontact_limit = 0.9", "contact_limt", "no key of `interface[lining-rock]`", "did you mean `contact_limit`?"),
     bad("contact_limit = 0.9", "contact_limit = 0.9\nsize = \"1 m\"", "size", "no key of `interface[lining-rock]`", "keys here: name, between, law"),
     bad("safety = 0.8", "safety = 0.8\ncontact_limit = 0.8", "contact_limit", "no key of `dynamic`", "`contact_limit` belongs to [interface]"),
-    bad("law = \"tied\"", "law = \"tied\"\nfriction = 0.7", "friction", "only where `law` is not \"tied\"", "leave it out"),
+    bad("law = \"tied\"", "law = \"tied\"\nfriction_coefficient = 0.7", "friction", "only where `law` is not \"tied\"", "leave it out"),
     bad("law = \"tied\"", "law = \"tied\"\nshear_stiffness = \"1 GPa/m\"", "shear_stiffness", "only where `law` is not \"tied\"", "leave it out"),
     bad("law = \"tied\"", "law = \"tied\"\ncorner = \"45 deg\"", "corner", "only where `law` is not \"tied\"", "leave it out"),
     bad("law = \"tied\"", "law = \"tied\"\nsize = 3", "size", "no key of `interface[bench]`", "keys here: name, between, law"),
@@ -154,7 +154,7 @@ const BAD: &[Bad] = &[
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = 20", "20", "`normal_stiffness` has no unit: a stiffness per area is expected", "\"20 GPa/m\""),
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = 5e3", "5e3", "has no unit", "\"5000 MPa/m\""),
     bad("normal_stiffness = \"20 GPa/m\"", "normal_stiffness = \"-20 GPa/m\"", "\"-20 GPa/m\"", "must be positive", "20 GPa/m is usual"),
-    bad("friction = 0.7", "friction = -0.7", "-0.7", "must be zero or positive", "zero or"),
+    bad("friction_coefficient = 0.7", "friction_coefficient = -0.7", "-0.7", "must be zero or positive", "zero or"),
     bad("normal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\npoisson = 0.2", "max_closure = \"2 mm\"\npoisson = 0.7", "0.7", "must be between -1 and 0.5", "0.25"),
     bad("tangential = \"constant\"", "tangential = \"folowing\"", "\"folowing\"", "`tangential` cannot be", "did you mean \"following\"?"),
     bad("tensile_strength = \"0.4 MPa\"", "tensile_strength = \"50 MPa\"", "\"50 MPa\"", "the joint can never reach", "smaller tensile_strength"),

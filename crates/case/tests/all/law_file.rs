@@ -144,7 +144,7 @@ fn all_that_is_missing_is_named_at_once_with_its_unit() {
             &["`friction_angle`", "`young`", "`poisson`", "`tensile_strength`", "`compressive_strength`"][..],
         ),
         ("drucker-prager", &["`young`", "`poisson`", "`cohesion`", "`friction_angle`"]),
-        ("hoek-brown", &["young = \"… GPa\"", "ucs = \"… MPa\"", "gsi = …", "m_i = …"]),
+        ("hoek-brown", &["young = \"… GPa\"", "compressive_strength = \"… MPa\"", "gsi = …", "m_i = …"]),
         ("mohr-coulomb", &["cohesion = \"… MPa\"", "friction_angle = \"… deg\""]),
     ] {
         let Err(report) = parse(&format!("[material]\nlaw = \"{law}\"\n")) else {
@@ -193,7 +193,7 @@ const JOINT: &str = r#"
 law = "bandis"
 normal_stiffness = "20 GPa/m"
 max_closure = "2 mm"
-friction = 0.7
+friction_coefficient = 0.7
 "#;
 
 #[test]
@@ -214,12 +214,12 @@ fn each_mistake_in_an_interface_law_is_reported_at_its_line() {
     #[rustfmt::skip]
     let bad = [
         (change("normal_stiffness = \"20 GPa/m\"\n", ""), 2, "`normal_stiffness` is missing", "GPa/m"),
-        (change("friction = 0.7\n", ""), 2, "`friction` is missing", "friction = …"),
-        (change("friction = 0.7", "frction = 0.7\nfriction = 0.7"), 6, "`frction` is no key of `interface`", "did you mean `friction`?"),
+        (change("friction_coefficient = 0.7\n", ""), 2, "`friction_coefficient` is missing", "friction_angle"),
+        (change("friction_coefficient = 0.7", "friction_coeficient = 0.7\nfriction_coefficient = 0.7"), 6, "`friction_coeficient` is no key of `interface`", "did you mean `friction_coefficient`?"),
         (change("0.7", "-0.7"), 6, "must be zero or positive", ""),
         (change("\"2 mm\"", "\"2 MPa\""), 5, "is a stress", "such as"),
         (change("\"bandis\"\n", "\"bandi\"\n"), 3, "cannot be \"bandi\"", "did you mean \"bandis\"?"),
-        (change("law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\nfriction = 0.7\n", "law = \"tied\""), 3, "cannot be \"tied\"", "\"bandis\", \"coulomb\""),
+        (change("law = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\nfriction_coefficient = 0.7\n", "law = \"tied\""), 3, "cannot be \"tied\"", "\"bandis\", \"coulomb\""),
         (format!("size = \"1 m\"{JOINT}"), 1, &format!("`size` {no_meaning}"), "leave it out"),
         (format!("{JOINT}size = \"1 m\""), 7, &format!("`size` {no_meaning}"), "leave it out"),
         (format!("{JOINT}name = \"a\""), 7, &format!("`name` {no_meaning}"), "leave it out"),

@@ -10,6 +10,7 @@ mod initial;
 mod interface;
 mod law_file;
 mod problems;
+mod renamed;
 mod schema;
 mod stage;
 mod units;

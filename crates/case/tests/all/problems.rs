@@ -55,7 +55,7 @@ const BAD: &[Bad] = &[
     bad("title = \"every key\"\n", "", "", "`title` is missing in the case", "add title = \"…\""),
     bad("young = \"10 GPa\"\n", "", "[material.rock]", "`young` is missing", "young = \"… GPa\" (Young's modulus E)"),
     bad("sides = { x = \"viscous\", y = \"roller\" }\n", "", "[dynamic]", "`sides` is missing", "periodic"),
-    bad("[[region]]\ngroups = [\"powerhouse.bench*\"]", "[[region]]\nelement = \"full\"\ngroups = [\"powerhouse.bench*\"]", "element", "only where `material` is not \"void\"", "leave it out"),
+    bad("[[region]]\ngroups = [\"powerhouse.bench*\"]", "[[region]]\nelement = \"full-integration\"\ngroups = [\"powerhouse.bench*\"]", "element", "only where `material` is not \"void\"", "leave it out"),
     bad("kind = \"viscous-spring\", normal = 1.5, tangential = 0.5, distance", "kind = \"fixed\", distance", "distance", "only with `kind = \"viscous-spring\"`", "leave it out"),
     bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"27 kN/m3\"\ndensity = \"2700 kg/m3\"", "unit_weight", "`unit_weight` cannot stand beside `density`", "exactly one of"),
     bad("unit_weight = \"27 kN/m3\"\n", "", "[material.rock]", "needs one of `density`, `unit_weight`", "give one of"),
@@ -75,8 +75,8 @@ const BAD: &[Bad] = &[
     bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"2700 kg/m3\"", "\"2700", "is a density (`kg/m3`), a unit weight is expected", "as `density`"),
     bad("unit_weight = \"27 kN/m3\"", "density = \"27 kN/m3\"", "\"27 kN", "a density is expected", "as `unit_weight`"),
     bad("unit_weight = \"27 kN/m3\"", "unit_weight = \"27\"", "\"27\"", "has no unit, a unit weight is expected", "\"27 kN/m3\""),
-    bad("near = \"120 cm\"", "near = \"1,2 m\"", "\"1,2 m\"", "comma", "as a dot"),
-    bad("near = \"120 cm\"", "near = \"1.2\"", "\"1.2\"", "has no unit", "\"1.2 m\""),
+    bad("size_near = \"120 cm\"", "size_near = \"1,2 m\"", "\"1,2 m\"", "comma", "as a dot"),
+    bad("size_near = \"120 cm\"", "size_near = \"1.2\"", "\"1.2\"", "has no unit", "\"1.2 m\""),
     bad("model_x_azimuth = \"30 deg\"", "model_x_azimuth = 30", "30", "has no unit", "deg"),
     bad("units = \"cm/s2\"", "units = \"cm/s\"", "\"cm/s\"", "is a velocity", "units = \"m/s2\""),
     bad("units = \"cm/s2\"", "units = \"cm/s\"", "\"cm/s\"", "is a velocity", "or \"counts\""),
@@ -96,7 +96,7 @@ const BAD: &[Bad] = &[
     bad("window = [\"20.5 s\", \"40 s\"]", "window = [\"40 s\", \"20 s\"]", "[\"40 s\"", "ends before it begins", "earlier time first"),
     bad("window = [\"20.5 s\", \"40 s\"]", "window = [\"40 s\"]", "[\"40 s\"]", "a list of 2", "window"),
     bad("window = [\"20.5 s\", \"40 s\"]", "window = { strongest = \"0 s\" }", "\"0 s\"", "must be above 0", "above 0"),
-    bad("near = \"120 cm\"", "near = \"12 m\"", "\"12 m\"", "`near` is larger than `far`", "smaller size"),
+    bad("size_near = \"120 cm\"", "size_near = \"12 m\"", "\"12 m\"", "`size_near` is larger than `size_far`", "smaller size"),
     bad("height = \"37.2 m\"", "height = \"4.4 m\"", "\"4.5 m\"", "must be below `height`", "the arch included"),
     bad("arch_rise = \"2.2 m\"\n", "", "[[mesh.caverns.cavern]]", "must be above 0", "rectangle"),
     bad("shape = \"ellipse\"", "shape = \"circle\"", "\"2.2 m\"", "no meaning", "leave it out"),
@@ -108,8 +108,8 @@ const BAD: &[Bad] = &[
     bad("kind = \"within\"\ndepth = \"50 m\"", "kind = \"outcrp\"", "\"outcrp\"", "`kind` cannot be \"outcrp\"", "did you mean \"outcrop\"?"),
     bad("sides = { x = \"viscous\"", "sides = { x = \"freefield\"", "\"freefield\"", "`x` cannot be \"freefield\"", "did you mean \"free-field\"?"),
     bad("top = \"viscous\"", "top = \"roller\"", "\"roller\"", "`top` cannot be \"roller\"", "one of \"free\", \"viscous\""),
-    bad("element = \"layered\"\npoints_through = 13", "element = \"quadratic\"", "\"quadratic\"", "cannot be", "one of \"one-point\", \"full\", \"layered\""),
-    bad("element = \"layered\"", "element = \"full\"", "points_through", "only with `element = \"layered\"`", "leave it out"),
+    bad("element = \"layered\"\npoints_through = 13", "element = \"quadratic\"", "\"quadratic\"", "cannot be", "one of \"reduced-integration\", \"full-integration\", \"layered\""),
+    bad("element = \"layered\"", "element = \"full-integration\"", "points_through", "only with `element = \"layered\"`", "leave it out"),
     bad("law = \"elastic\"\nyoung = \"10 GPa\"\npoisson = 0.25", "law = \"elastik\"", "\"elastik\"", "cannot be \"elastik\"", "did you mean \"elastic\"?"),
     bad("name = \"A\"", "name = \"A.1\"", "\"A.1\"", "cannot be used as a name", "no blanks or quotes"),
     bad("title = \"every key\"", "title = \" \"", "\" \"", "an empty text", "title"),
@@ -118,7 +118,7 @@ const BAD: &[Bad] = &[
     bad("[material.concrete]", "[material.void]\nlaw = \"elastic\"\ndensity = \"1 kg/m3\"\nyoung = \"10 GPa\"\npoisson = 0\n[material.concrete]", "void", "cannot be called `void`", "another name"),
     bad("between = [\"free\", \"A\"]", "between = [\"free\", \"B\"]", "\"B\"", "no monitor `B`", "known monitors: A, free"),
     bad("between = [\"free\", \"A\"]", "between = [\"A\", \"A\"]", "\"A\"]", "against itself", "another monitor"),
-    bad("between = [\"free\", \"A\"]", "between = [\"free\", \"A\"]\n[[relative]]\nbetween = ['free', 'A']", "'A'", "are called `free-A`", "stands there twice"),
+    bad("between = [\"free\", \"A\"]", "between = [\"free\", \"A\"]\n[[monitor_pair]]\nbetween = ['free', 'A']", "'A'", "are called `free-A`", "stands there twice"),
     bad("name = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "name = \"A\"\nat = [\"1 m\", \"2 m\", \"3 m\"]\n[[monitor]]\nname = \"free\"\nat = [\"0 m\", \"1 m\", \"-210 m\"]", "\"A\"", "monitor `A` is named twice", "its own name"),
     bad("name = \"transformer\"", "name = \"powerhouse\"", "\"powerhouse\"", "two caverns are called `powerhouse`", "its own name"),
     bad("between = [\"powerhouse\", \"transformer\"]", "between = [\"powerhouse\", \"hall\"]", "\"hall\"", "there is no cavern `hall`", "two caverns of this block"),
@@ -131,19 +131,19 @@ const BAD: &[Bad] = &[
     bad("columns = [\"time\", \"acceleration\"]", "columns = [\"time\", \"acceleration\"], dt = \"1 s\"", "\"1 s\"", "`dt` beside a column of times", "leave `dt` out"),
     bad("at = [\"0 m\", \"1 m\", \"-210 m\"]", "at = [0, 1]", "[0, 1]", "a list of 3, each a length, not a list of 2", "[\"… m\", \"… m\", \"… m\"]"),
     bad("groups = [\"*.lining\"]", "groups = \"*.lining\"", "\"*.lining\"", "should be a list", "groups = [\"…\"]"),
-    bad("[[relative]]", "[relative]", "[relative]", "should be a list of tables", "[[relative]]"),
+    bad("[[monitor_pair]]", "[monitor_pair]", "[monitor_pair]", "should be a list of tables", "[[monitor_pair]]"),
     // What later versions bring
     bad("[initial]", "[water]\nlevel = \"3 m\"\nheads = { sides = \"3 m\" }\n[initial]", "{ sides = \"3 m\" }", "`heads` has a meaning only with steady seepage", "pressure = \"seepage\""),
     bad("language = \"zh\"", "language = \"fr\"", "\"fr\"", "`language`", "zh"),
     bad("damping = { rayleigh", "damping = { ratio = 0.03, rayleigh", "ratio", "`ratio` has a meaning only beside `band`", "leave it out"),
     // TOML
-    bad("near = \"120 cm\"", "near = 120 cm", "120 cm", "not in quotes", "\"120 cm\""),
-    bad("near = \"120 cm\"", "near =", "\n", "a value is missing", "write a value"),
-    bad("near = \"120 cm\"", "near = \"120 cm", "\n", "a quotation mark is missing", "close the text"),
+    bad("size_near = \"120 cm\"", "size_near = 120 cm", "120 cm", "not in quotes", "\"120 cm\""),
+    bad("size_near = \"120 cm\"", "size_near =", "\n", "a value is missing", "write a value"),
+    bad("size_near = \"120 cm\"", "near = \"120 cm", "\n", "a quotation mark is missing", "close the text"),
     bad("file = \"b.txt\"", "file = \"C:\\Users\\d\\b.txt\"", "\"C:", "a backslash in double quotes", "\"C:/Users/d/b.txt\", or in single quotes, 'C:\\Users\\d\\b.txt'"),
     bad("file = \"b.txt\"", "file = \"records\\xb.txt\"", "\"records", "a backslash in double quotes", "\"records/xb.txt\""),
-    bad("near = \"120 cm\"", "near = 1\nnear = 2", "near = 2", "given twice", "keep one"),
-    bad("near = \"120 cm\"", "near \"120 cm\"", "\"120 cm\"", "a key without `=`", "key = value"),
+    bad("size_near = \"120 cm\"", "size_near = 1\nsize_near = 2", "size_near = 2", "given twice", "keep one"),
+    bad("size_near = \"120 cm\"", "near \"120 cm\"", "\"120 cm\"", "a key without `=`", "key = value"),
 ];
 
 impl Bad {
@@ -185,9 +185,9 @@ fn each_mistake_is_reported_once_at_its_place_with_a_way_out() {
 #[test]
 fn all_problems_of_a_file_are_reported_in_its_order() {
     let source = GOOD
-        .replace("near = \"120 cm\"", "near = \"120 MPa\"")
+        .replace("size_near = \"120 cm\"", "size_near = \"120 MPa\"")
         .replace("poisson = 0.25", "poisson = 0.7")
-        .replace("element = \"one-point\"", "elemnt = \"one-point\"")
+        .replace("element = \"reduced-integration\"", "elemnt = \"one-point\"")
         .replace("kind = \"within\"\ndepth = \"50 m\"\n", "")
         .replace("safety = 0.8", "safety = 7")
         .replace("between = [\"free\", \"A\"]", "between = [\"free\", \"Q\"]")
@@ -199,7 +199,7 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
     assert_eq!(
         found,
         [
-            (line("120 MPa"), "`near` is a stress or modulus (`MPa`), a length is expected"),
+            (line("120 MPa"), "`size_near` is a stress or modulus (`MPa`), a length is expected"),
             (line("poisson = 0.7"), "`poisson` must be at least 0 and below 0.5"),
             (line("elemnt"), "`elemnt` is no key of `region[0]`"),
             (line("[motion]"), "`kind` is missing in `motion`"),
@@ -212,16 +212,16 @@ fn all_problems_of_a_file_are_reported_in_its_order() {
 
 #[test]
 fn a_problem_is_shown_with_its_line_underlined() {
-    let source = GOOD.replace("near = \"120 cm\"", "near = \"120 Cm\"");
+    let source = GOOD.replace("size_near = \"120 cm\"", "size_near = \"120 Cm\"");
     let text = report(&source).render(false);
     assert_eq!(
         text,
-        "error: `near` has an unknown unit `Cm`\n \
-         --> case.toml:9:8\n  \
-           |\n\
-         9 | near = \"120 Cm\"\n  \
-           |        ^^^^^^^^\n  \
-           |\n\
+        "error: `size_near` has an unknown unit `Cm`\n  \
+          --> case.toml:10:13\n   \
+            |\n\
+         10 | size_near = \"120 Cm\"\n   \
+            |             ^^^^^^^^\n   \
+            |\n\
          help: did you mean `cm`?\n\n\
          case.toml: 1 error"
     );
@@ -256,7 +256,7 @@ fn what_is_allowed_but_hardly_meant_is_a_warning() {
 #[test]
 fn one_cause_in_the_water_is_told_once() {
     let water = "[water]\nlevel = \"3 m\"\npressure = \"seepage\"\nheads = { sides = \"3 m\" }\n[initial]";
-    let pores = "poisson = 0.25\nwater = { permeability = \"1e-7 m/s\" }";
+    let pores = "poisson = 0.25\nwater = { hydraulic_conductivity = \"1e-7 m/s\" }";
     let wet = GOOD.replacen("[initial]", water, 1).replacen("poisson = 0.25", pores, 1);
     assert!(Case::parse(Path::new("case.toml"), &wet, MATERIALS).is_ok());
     let told = |from: &str, to: &str| -> Vec<String> {
@@ -274,16 +274,16 @@ fn one_cause_in_the_water_is_told_once() {
         (heads, "haeds = { sides = \"3 m\" }"),
         ("\"1e-7 m/s\"", "\"1e-7\""),
         ("\"1e-7 m/s\"", "\"-1e-7 m/s\""),
-        ("permeability", "permeabilty"),
-        ("{ permeability", "{ biot = 2, permeability"),
+        ("hydraulic_conductivity", "hydraulic_conductivty"),
+        ("{ hydraulic_conductivity", "{ biot = 2, hydraulic_conductivity"),
         ("material = \"rock\"", "material = \"rok\""),
     ] {
         let found = told(from, to);
         assert_eq!(found.len(), 1, "{to}: {found:?}");
     }
     assert_eq!(told(heads, ""), ["nothing says where the water of the seepage comes from"]);
-    let tight = ["no material of a region has a permeability, so that no water flows"];
-    assert_eq!(told("{ permeability = \"1e-7 m/s\" }", "{ biot = 0.8 }"), tight);
+    let tight = ["no material of a region has a hydraulic conductivity, so that no water flows"];
+    assert_eq!(told("{ hydraulic_conductivity = \"1e-7 m/s\" }", "{ biot = 0.8 }"), tight);
 }
 
 /// A field that nothing writes is told of.

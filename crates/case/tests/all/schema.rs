@@ -139,7 +139,7 @@ fn the_dynamic_run_is_required_beside_an_earthquake_alone() {
 fn what_the_reader_refuses_for_its_form_does_not_fit() {
     let schema = schema(MATERIALS);
     for (from, to) in [
-        ("near = \"120 cm\"", "nears = \"120 cm\""),
+        ("size_near = \"120 cm\"", "nears = \"120 cm\""),
         ("kind = \"within\"", "kind = \"outcrp\""),
         ("kind = \"within\"\n", ""),
         ("poisson = 0.48, ", ""),
@@ -155,9 +155,9 @@ fn what_the_reader_refuses_for_its_form_does_not_fit() {
         ("y = \"roller\"", "y = \"freefield\""),
         ("law = \"bandis\"", "law = \"bandi\""),
         ("law = \"bandis\"", "law = \"tied\""),
-        ("law = \"tied\"", "law = \"coulomb\""),
+        ("law = \"tied\"", "law = \"bandis\""),
         ("max_closure = \"2 mm\"\n", ""),
-        ("friction = 0.7", "friktion = 0.7"),
+        ("friction_coefficient = 0.7", "friktion = 0.7"),
         ("between = [\"transformer.bench*\", \"rock\"]", "between = [\"rock\"]"),
         ("contact_damping = 0.02", "contact_damping = 0.3"),
         ("contact_limit = 0.9", "contact_limit = 0"),

@@ -8,7 +8,8 @@ use tremolite_report::loops::{Curve, Quantity};
 
 /// The joint of these figures: k_n0 = 20 GPa/m and, of a hyperbola, T = 0.5 mm.
 fn joint<I: Interface>(numbers: &[(&str, f64)]) -> I {
-    let values = values(&[&[("normal_stiffness", 20e9), ("friction", 0.7)], numbers].concat(), &[]);
+    let values =
+        values(&[&[("normal_stiffness", 20e9), ("friction_coefficient", 0.7)], numbers].concat(), &[]);
     I::new(&values).unwrap_or_else(|faults: Vec<BadParameter>| panic!("{}: {faults:?}", I::NAME))
 }
 

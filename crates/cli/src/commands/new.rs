@@ -29,7 +29,7 @@ heads    = { xmin = "-20 m", xmax = "-20 m", base = "-20 m" }   # where the wate
     ),
     (
         "\n[material.concrete]",
-        r#"water       = { biot = 0.8, permeability = "1e-7 m/s", saturated_unit_weight = "27.3 kN/m3" }
+        r#"water       = { biot = 0.8, hydraulic_conductivity = "1e-7 m/s", saturated_unit_weight = "27.3 kN/m3" }
 "#,
     ),
     (

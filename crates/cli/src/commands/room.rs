@@ -72,7 +72,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_needs_more_than_four_fifths_of_what_is_free_is_message() {
+    fn what_needs_more_than_four_fifths_of_what_is_free_is_said() {
         let free = Free { memory: Some(10_000_000_000), disk: None };
         assert_eq!(free.lacks_for_mesh(7_900_000), None);
         let text = free.lacks_for_mesh(8_100_000).unwrap();
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn runs_of_more_than_half_a_day_are_message() {
+    fn runs_of_more_than_half_a_day_are_said() {
         assert_eq!(long(11.9 * 3600.0, "an element"), None);
         let text = long(13.0 * 3600.0, "element 7 of 'lining'").unwrap();
         assert!(text.contains("13.0 h") && text.contains("element 7 of 'lining'"), "{text}");

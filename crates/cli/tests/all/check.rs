@@ -32,8 +32,8 @@ fn one_object_holds_all_that_the_text_says_and_messages_stay_on_standard_error()
         "sides    = { x = \"free-field\", y = \"periodic\" }\ntime_step = \"1 ms\"",
     );
     let (found, errors) = check(folder.path(), &[slow]);
-    let text =
-        String::from_utf8(tremolite(folder.path(), &["check", "--verbose", "study/case.toml"]).stdout).unwrap();
+    let text = String::from_utf8(tremolite(folder.path(), &["check", "--verbose", "study/case.toml"]).stdout)
+        .unwrap();
     let number = |pointer: &str| found.pointer(pointer).and_then(Value::as_f64).expect(pointer);
     let word = |pointer: &str| found.pointer(pointer).and_then(Value::as_str).expect(pointer);
     for line in [

@@ -50,7 +50,8 @@ fn all_that_a_run_with_stages_an_interface_bolts_and_damage_says_has_chinese() {
     told.extend(facts.flat_map(|f| [(&*f.id, &f.name_message, &f.name), (&*f.id, &f.note_message, &f.note)]));
     let findings = summary.conclusion.findings.iter();
     told.extend(
-        findings.flat_map(|f| [(&*f.id, &f.headline_message, &f.headline), (&*f.id, &f.text_message, &f.text)]),
+        findings
+            .flat_map(|f| [(&*f.id, &f.headline_message, &f.headline), (&*f.id, &f.text_message, &f.text)]),
     );
     for stage in &summary.computed.stages {
         told.extend(

@@ -23,7 +23,7 @@ fn new_case() -> (TempDir, PathBuf) {
     assert_eq!(code(&tremolite(folder.path(), &["new", "study"])), 0);
     let case = folder.path().join("study/case.toml");
     change(&case, "duration = \"1.5 s\"", "duration = \"0.3 s\"");
-    change(&case, "near       = \"0.8 m\"", "near       = \"2 m\"");
+    change(&case, "size_near  = \"0.8 m\"", "size_near  = \"2 m\"");
     (folder, case)
 }
 
@@ -64,7 +64,7 @@ fn a_new_case_checks_runs_and_reports() {
     let failed: Vec<&str> =
         summary.soundness.checks.iter().filter(|t| !t.pass).map(|t| t.id.as_str()).collect();
     assert_eq!(failed, ["truncated_motion"], "{:?}", summary.soundness.checks);
-    assert!(summary.case.defaults_used.iter().any(|d| d.key == "dynamic.base.normal"));
+    assert!(summary.case.defaults_used.iter().any(|d| d.key == "dynamic.safety"));
 
     // A second run gets a folder of its own; a taken --out is refused, and replaced when asked.
     assert_eq!(code(&tremolite(folder.path(), &["run", "study/case.toml"])), 0);

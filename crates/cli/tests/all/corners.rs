@@ -34,12 +34,12 @@ fracture_energy = "130 N/m"
 [[region]]
 groups = ["rock"]
 material = "concrete"
-element = "one-point"
+element = "reduced-integration"
 [motion]
 kind = "incident"
 east = {{ file = "pulse.txt", units = "m/s2", dt = "0.002 s" }}
 up = {{ from = "east", factor = 0.5 }}
-process = ["baseline", "scale {motion}"]
+processing = ["baseline", "scale {motion}"]
 [dynamic]
 sides = "periodic"
 [output]

@@ -11,9 +11,9 @@ overburden = "20 m"
 below = "12 m"
 sides = "16 m"
 length = "4 m"
-near = "1.5 m"
-far = "4 m"
-along = "2 m"
+size_near = "1.5 m"
+size_far = "4 m"
+size_along = "2 m"
 [[mesh.caverns.cavern]]
 name = "hall"
 width = "8 m"
@@ -24,7 +24,7 @@ shotcrete = "0.2 m"
 name = "fault"
 through = [0, 0, "-25 m"]
 dip = "20 deg"
-dip_direction = "90 deg"
+dip_azimuth = "90 deg"
 "#;
 
 fn case(mesh: &str) -> String {
@@ -44,7 +44,7 @@ density = "2400 kg/m3"
 [[region]]
 groups = ["rock", "hall.bench*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["hall.shotcrete"]
 material = "shotcrete"
@@ -54,7 +54,7 @@ before = "rock"
 name = "fault"
 between = ["fault.below", "fault.above"]
 law = "coulomb"
-friction = 0.22
+friction_coefficient = 0.22
 [initial]
 lateral = 0.5
 [[stage]]
@@ -95,7 +95,7 @@ before = "rock"
 name = "joint"
 between = [["hall.lining"], ["hall.shotcrete", "rock"]]
 law = "coulomb"
-friction = 0.6
+friction_coefficient = 0.6
 [initial]"#,
     );
     let text = text.replace("excavate = [", "excavate = [\"hall.lining\", ");

@@ -182,7 +182,7 @@ fn bad_files_are_refused_with_file_line_and_way_out_and_nothing_is_written() {
         (&format!("size = \"5 m\"{energy}"), good, &["law.toml:1:", "`size` must be below 4.514 m"]),
         (&format!("size = \"5 m\"{}", energy.replace("25 GPa", "25 MPa")), good, &["E or G_f looks too low"]),
         (&CONCRETE.replace("46 deg", "89.99 deg"), good, &["from 0 to 89.9 deg"]),
-        ("[material]\nlaw = \"hoek-brown\"\nyoung = \"10 GPa\"\npoisson = 0.2\nucs = \"80 MPa\"\ngsi = \"55 %\"\nm_i = 12\n", good,
+        ("[material]\nlaw = \"hoek-brown\"\nyoung = \"10 GPa\"\npoisson = 0.2\ncompressive_strength = \"80 MPa\"\ngsi = \"55 %\"\nm_i = 12\n", good,
             &["law.toml:6:", "GSI runs from 5 to 100, e.g. 55 (not 0.55)"]),
     ];
     for (text, path, words) in cases {

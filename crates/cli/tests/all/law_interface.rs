@@ -7,8 +7,9 @@ use tremolite_results::Table;
 
 /// k_n0 = 20 GPa/m, T = 0.5 mm, c = 1 MPa, μ = 0.7.
 const JOINT: &str = "[interface]\nlaw = \"bandis\"\nnormal_stiffness = \"20 GPa/m\"\nmax_closure = \"0.5 mm\"\n\
-                     cohesion = \"1 MPa\"\nfriction = 0.7\n";
-const LINEAR: &str = "[interface]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction = 0.7\n";
+                     cohesion = \"1 MPa\"\nfriction_coefficient = 0.7\n";
+const LINEAR: &str =
+    "[interface]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction_coefficient = 0.7\n";
 const NAMES: &str = "time,gap,slip1,slip2\n";
 
 fn column<'a>(table: &'a Table, name: &str) -> &'a [f64] {
@@ -139,7 +140,7 @@ fn bad_files_are_refused_with_file_line_and_way_out_and_nothing_is_written() {
         (JOINT, &format!("{good}1,x,0,0\n"), &["path.csv, line 3", "'x' is not a number"]),
         (JOINT, &format!("{good}-1,0,0,0\n"), &["path.csv, line 3", "time falls"]),
         (JOINT, &good, &["one row makes no figure"]),
-        (&JOINT.replace("friction = 0.7", "friction = -1"), &good, &["law.toml:6:", "friction"]),
+        (&JOINT.replace("friction_coefficient = 0.7", "friction_coefficient = -1"), &good, &["law.toml:6:", "friction"]),
         (&JOINT.replace("max_closure", "max_closur"), &good, &["law.toml:4:", "did you mean `max_closure`?"]),
         (&JOINT.replace("normal_stiffness = \"20 GPa/m\"\n", ""), &good, &["law.toml:1:", "`normal_stiffness` is missing"]),
     ];
@@ -156,14 +157,14 @@ fn bad_files_are_refused_with_file_line_and_way_out_and_nothing_is_written() {
 }
 
 #[test]
-fn defaults_and_what_is_unusual_are_message() {
+fn defaults_and_what_is_unusual_are_said() {
     let folder = folder(&JOINT.replace("0.7", "35"), &format!("{NAMES}0,0,0,0\n"));
     let output = law(folder.path(), &[]);
     assert_eq!(status(&output), 0, "{}", errors(&output));
     for words in [
         "by default: poisson 0.25, tangential following, closure_floor 0.25\n",
         "warning",
-        "it is the coefficient tan φ",
+        "give an angle as `friction_angle`",
         "law.toml:1:",
     ] {
         assert!(errors(&output).contains(words), "{words}:\n{}", errors(&output));

@@ -18,7 +18,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [motion]
 kind = "outcrop"
 east = { file = "east.txt" }
@@ -135,7 +135,7 @@ fn a_component_that_no_wave_carries_is_refused_or_warned_of() {
     std::fs::copy(shipped, folder.path().join("three.V2A")).unwrap();
     write(
         folder.path(),
-        &[(EAST, "file = \"three.V2A\"\nprocess = [\"taper 1 s\", \"baseline\"]"), changes[1], changes[2]],
+        &[(EAST, "file = \"three.V2A\"\nprocessing = [\"taper 1 s\", \"baseline\"]"), changes[1], changes[2]],
     );
     let words = warned(folder.path());
     assert!(words.contains("component 'north'") && words.contains("component 'up'"), "{words}");
@@ -149,7 +149,7 @@ fn the_warning_of_a_cut_window_stays_beside_a_match() {
     let process = |steps: &str| {
         format!(
             "east = {{ file = \"w.V2A\", channel = \"N28W\" }}\ntarget = \"EN 1998-1 type 1 ground A 3.14 m/s2\"\nwindow = {{ strongest = \"12 s\" }}\n\
-             process = [\"detrend linear\", \"taper 1 s\", \"bandpass 0.2 Hz 10 Hz\", \"baseline\"{steps}]"
+             processing = [\"detrend linear\", \"taper 1 s\", \"bandpass 0.2 Hz 10 Hz\", \"baseline\"{steps}]"
         )
     };
     let (alone, matched) = (process(""), process(", \"match 0.1 s 2 s\""));
@@ -184,8 +184,9 @@ fn windows_and_components_that_lose_something_are_warned_of() {
 
 #[test]
 fn steps_that_later_steps_undo_are_warned_of() {
-    let steps =
-        |steps: &str| format!("{EAST}\ntarget = \"EN 1998-1 type 1 ground A 2 m/s2\"\nprocess = [{steps}]");
+    let steps = |steps: &str| {
+        format!("{EAST}\ntarget = \"EN 1998-1 type 1 ground A 2 m/s2\"\nprocessing = [{steps}]")
+    };
     let folder = folder(&[]);
     for (process, says) in [
         ("\"scale 2\", \"pga 0.2 g\"", "\"scale 2\": no effect, since \"pga 0.2 g\""),
@@ -211,7 +212,7 @@ fn a_channel_is_found_by_its_label_after_its_file_was_renamed() {
     let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/records/20161113_110259_WTMC_20.V2A");
     let named = |file: &str, channel: &str| {
         format!(
-            "east = {{ file = \"{file}\", channel = \"{channel}\" }}\nprocess = [\"taper 1 s\", \"baseline\"]"
+            "east = {{ file = \"{file}\", channel = \"{channel}\" }}\nprocessing = [\"taper 1 s\", \"baseline\"]"
         )
     };
     let folder = folder(&[]);

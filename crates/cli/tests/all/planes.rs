@@ -14,7 +14,7 @@ z = { from = "-20 m", to = 0, elements = 10 }
 name = "fault"
 through = ["1 m", 0, "-10 m"]
 dip = "45 deg"
-dip_direction = "90 deg"
+dip_azimuth = "90 deg"
 [material.rock]
 law = "elastic"
 young = "10 GPa"
@@ -23,7 +23,7 @@ density = "2700 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 lateral = 0.6
 [motion]
@@ -44,7 +44,7 @@ name = "fault"
 between = ["fault.below", "fault.above"]
 law = "coulomb"
 normal_stiffness = "20 GPa/m"
-friction = 2.0
+friction_coefficient = 2.0
 [[monitor]]
 name = "J"
 at = ["1 m", "1 m", "-10 m"]
@@ -57,7 +57,11 @@ fn run(folder: &Path, case: &str, out: &str) -> Output {
         .unwrap();
     std::fs::write(folder.join("case.toml"), case).unwrap();
     let command = &mut Command::new(env!("CARGO_BIN_EXE_tremolite"));
-    command.current_dir(folder).args(["run", "case.toml", "--out", out, "--ignore-resources"]).output().unwrap()
+    command
+        .current_dir(folder)
+        .args(["run", "case.toml", "--out", out, "--ignore-resources"])
+        .output()
+        .unwrap()
 }
 
 fn summary(folder: &Path, out: &str) -> Value {
@@ -93,7 +97,7 @@ fn level_ground_rests_across_a_plane_whether_joined_or_not() {
         }
     }
     // Friction that does not hold it lets it slide: the test can fail.
-    let weak = format!("{CASE}{}", JOINT.replace("friction = 2.0", "friction = 0.2"));
+    let weak = format!("{CASE}{}", JOINT.replace("friction_coefficient = 2.0", "friction_coefficient = 0.2"));
     let _ = run(folder.path(), &weak, "weak");
     let summary = summary(folder.path(), "weak");
     let slip = &summary["monitors"]["J"]["slip2"];

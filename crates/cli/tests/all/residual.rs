@@ -17,8 +17,8 @@ overburden = "30 m"
 below = "20 m"
 sides = "24 m"
 length = "12 m"
-near = "3 m"
-far = "5 m"
+size_near = "3 m"
+size_far = "5 m"
 [[mesh.caverns.cavern]]
 name = "hall"
 width = "10 m"
@@ -43,7 +43,7 @@ friction_angle = "37 deg"
 [[region]]
 groups = ["rock", "*.bench*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["*.lining"]
 material = "concrete"
@@ -53,7 +53,7 @@ name = "joint"
 between = ["hall.lining", "rock"]
 law = "coulomb"
 cohesion = "0.2 MPa"
-friction = 0.6
+friction_coefficient = 0.6
 [initial]
 lateral = 0.7
 [[stage]]
@@ -66,7 +66,7 @@ install = ["hall.lining"]
 [motion]
 kind = "outcrop"
 east = {{ file = "ricker2.txt" }}
-process = ["scale 3"]
+processing = ["scale 3"]
 [dynamic]
 {base}sides = {{ x = "free-field", y = "periodic" }}
 duration = "4 s"

@@ -30,7 +30,7 @@ density = "2600 kg/m3"
 [[region]]
 groups = ["low", "high", "hall"]
 material = "rock"
-element = "full"
+element = "full-integration"
 [[region]]
 groups = ["gallery"]
 material = {gallery}
@@ -40,7 +40,7 @@ between = ["low", "high"]
 law = "coulomb"
 normal_stiffness = "1 GPa/m"
 cohesion = "0.5 MPa"
-friction = 0.6
+friction_coefficient = 0.6
 [initial]
 lateral = 0.6
 [[stage]]
@@ -73,7 +73,7 @@ fn checks(folder: &Path) -> Vec<(f64, bool, String)> {
 fn stress_that_does_not_fit_at_one_place_is_told_with_it_and_with_the_interface_there() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
-    case(folder, "\"rock\"\nelement = \"full\"");
+    case(folder, "\"rock\"\nelement = \"full-integration\"");
     let good = checks(folder);
     for (value, pass, _) in &good {
         assert!(*pass && *value < 1e-9, "{good:?}");

@@ -30,13 +30,13 @@ unit_weight = "25 kN/m3"
 [[region]]
 groups = ["ground", "block"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[interface]]
 name = "joint"
 between = ["block", "ground"]
 law = "coulomb"
 normal_stiffness = "10 GPa/m"
-friction = 0.5
+friction_coefficient = 0.5
 cohesion = "0 Pa"
 {joint}
 [initial]
@@ -45,7 +45,7 @@ lateral = {{ x = 0.25, y = 0.25 }}
 [motion]
 kind = "incident"
 east = {{ file = "ricker.txt", units = "m/s2", dt = "0.005 s" }}
-process = []
+processing = []
 [dynamic]
 sides = {{ x = "free-field", y = "periodic" }}
 base = {{ kind = "viscous" }}

@@ -29,7 +29,7 @@ z = { to = 4, elements = 8 }
 name = "bedding"
 through = [0, 0, 1.9]
 dip = "0 deg"
-dip_direction = "90 deg"
+dip_azimuth = "90 deg"
 seam = { material = "clay", thickness = 0.1 }
 [[monitor]]
 name = "J"
@@ -38,7 +38,7 @@ interface = "bedding"
 "#;
 
 /// And with the seam meshed, two elements through it.
-const MESHED: &str = "[mesh.file]\npath = \"block.vtu\"\n[[region]]\ngroups = [\"clay\"]\nmaterial = \"clay\"\nelement = \"full\"\n";
+const MESHED: &str = "[mesh.file]\npath = \"block.vtu\"\n[[region]]\ngroups = [\"clay\"]\nmaterial = \"clay\"\nelement = \"full-integration\"\n";
 
 fn meshed(folder: &Path) {
     let z = Axis::Coordinates(vec![0.0, 0.5, 1.0, 1.5, 1.85, 1.9, 1.95, 2.5, 3.0, 3.5, 4.0]);
@@ -84,7 +84,7 @@ density = {DENSITY}
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "full"
+element = "full-integration"
 {initial}
 {stages}"#
     )
@@ -174,7 +174,7 @@ fn seams_are_said_and_what_is_wrong_with_them_is_refused_at_its_line() {
     }
     assert!(said.contains("interface[bedding].normal_stiffness"), "{said}");
     assert!(!errors(&output).contains("no region is made of"), "{}", errors(&output));
-    let twice = "[[interface]]\nname = \"other\"\nbetween = [\"bedding.above\", \"bedding.below\"]\nlaw = \"coulomb\"\nfriction = 0.6\n[material.rock]";
+    let twice = "[[interface]]\nname = \"other\"\nbetween = [\"bedding.above\", \"bedding.below\"]\nlaw = \"coulomb\"\nfriction_coefficient = 0.6\n[material.rock]";
     for (from, to, says, remedy) in [
         (
             "thickness = 0.1",

@@ -58,8 +58,8 @@ fn a_run_with_other_values_is_that_of_the_edited_file() {
         ("pressure = { shell = \"20 kPa\" }\n", "pressure = { shell = \"20 kPa\" }\nrelease = 1\n"),
         ("lateral = 0.5", "lateral = { x = 0.6, y = 0.4 }"),
         (
-            "process = [\"baseline\"]\n",
-            "process = [\"baseline\"]\nnorth = { from = \"east\", factor = 0.5 }\n",
+            "processing = [\"baseline\"]\n",
+            "processing = [\"baseline\"]\nnorth = { from = \"east\", factor = 0.5 }\n",
         ),
     ] {
         assert_eq!(edited.matches(from).count(), 1, "{from}");

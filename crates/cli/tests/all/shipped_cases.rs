@@ -26,7 +26,7 @@ fn is_accepted(case: &Path) {
     let mut check = Command::new(env!("CARGO_BIN_EXE_tremolite"));
     check.args(["check", "--set", "dynamic.levels=1"]);
     if case.parent().is_some_and(|folder| folder.ends_with("wet-hall")) {
-        for key in ["near", "length", "along"] {
+        for key in ["size_near", "length", "size_along"] {
             check.arg("--set").arg(format!("mesh.caverns.{key}=\"1.2 m\""));
         }
     }

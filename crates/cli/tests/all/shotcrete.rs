@@ -20,9 +20,9 @@ overburden = "40 m"
 below = "40 m"
 sides = "40 m"
 length = "3 m"
-near = "0.9 m"
-far = "6 m"
-along = "1.5 m"
+size_near = "0.9 m"
+size_far = "6 m"
+size_along = "1.5 m"
 [[mesh.caverns.cavern]]
 name = "hall"
 shape = "circle"
@@ -53,7 +53,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock", "hall.bench*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["*.shotcrete"]
 material = "shotcrete"
@@ -139,7 +139,7 @@ fn interfaces_lie_between_lining_and_shotcrete_and_between_shotcrete_and_rock() 
         let folder = folder.path();
         case(folder);
         let joint = format!(
-            "[[interface]]\nname = \"joint\"\nbetween = {between}\nlaw = \"coulomb\"\nnormal_stiffness = \"500 GPa/m\"\nfriction = 0.6\n[initial]"
+            "[[interface]]\nname = \"joint\"\nbetween = {between}\nlaw = \"coulomb\"\nnormal_stiffness = \"500 GPa/m\"\nfriction_coefficient = 0.6\n[initial]"
         );
         change(folder, "[initial]", &joint);
         let done = run(folder, "out", &[]);

@@ -71,7 +71,7 @@ fn a_roller_is_allowed_where_the_motion_has_less_than_a_thousandth_along_its_nor
         for word in ["roller", "symmetry"] {
             block(folder, &format!("sides = {{ x = \"periodic\", y = \"{word}\" }}"));
             change(folder, east, &format!("{east}\nnorth = {{ from = \"east\", factor = {factor} }}"));
-            change(folder, "process =", &format!("model_x_azimuth = \"{azimuth}\"\nprocess ="));
+            change(folder, "title =", &format!("model_x_azimuth = \"{azimuth}\"\ntitle ="));
             if factor == "0" {
                 change(folder, "\nnorth = { from = \"east\", factor = 0 }", "");
             }
@@ -118,9 +118,11 @@ fn turned(folder: &Path, degrees: f64, dynamic: &str) {
     let text = std::fs::read_to_string(&path).unwrap();
     let (head, rest) = text.split_once("[mesh.box]").unwrap();
     let (_, tail) = rest.split_once("[material.rock]").unwrap();
-    let azimuth = "model_x_azimuth = \"90 deg\"\nprocess =";
-    let tail = tail.replacen("process =", azimuth, 1);
-    std::fs::write(path, format!("{head}[mesh.file]\npath = \"box.msh\"\n[material.rock]{tail}")).unwrap();
+    std::fs::write(
+        path,
+        format!("model_x_azimuth = \"90 deg\"\n{head}[mesh.file]\npath = \"box.msh\"\n[material.rock]{tail}"),
+    )
+    .unwrap();
 }
 
 /// What check says, without estimates of time and bytes, which depend on the machine and on round-off.

@@ -32,17 +32,17 @@ softening = {softening}
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["weak"]
 material = "weak"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 lateral = 0.7
 [motion]
 kind = "outcrop"
 east = {{ file = "ricker2.txt" }}
-process = ["scale 3"]
+processing = ["scale 3"]
 [dynamic]
 base = "viscous-spring"
 sides = "periodic"
@@ -137,7 +137,7 @@ softening = {{ {measure}, cohesion = [{cohesion}, 0.2e6] }}
 [[region]]
 groups = ["{name}"]
 material = "{name}"
-element = "one-point"
+element = "reduced-integration"
 "#
         )
     };

@@ -55,11 +55,11 @@ rate = "none"
 [[region]]
 groups = ["bar"]
 material = "sound"
-element = "full"
+element = "full-integration"
 [[region]]
 groups = ["crack"]
 material = "concrete"
-element = "full"
+element = "full-integration"
 [initial]
 sides = "free"
 base = "{base}"
@@ -335,7 +335,7 @@ density = 2500
 [[region]]
 groups = ["ring"]
 material = "concrete"
-element = "full"
+element = "full-integration"
 [initial]
 sides = "free"
 base = "free"

@@ -32,7 +32,7 @@ pub fn errors(output: &Output) -> String {
 pub const SHAKING: &str = r#"[motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 base = "viscous"
 sides = "viscous"
@@ -57,7 +57,7 @@ between = ["shell", "rock"]
 law = "bandis"
 max_closure = "2 mm"
 cohesion = "0.5 MPa"
-friction = 0.7
+friction_coefficient = 0.7
 "#;
 
 pub const LATERAL: &str = "lateral = 0.5\nrelease_cycles = 50\ntolerance = 1e-4\n";
@@ -103,12 +103,12 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock", "core"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 viscosity = 0.02
 [[region]]
 groups = ["shell"]
 material = "concrete"
-element = "full"
+element = "full-integration"
 [initial]
 {initial}
 {stages}

@@ -37,7 +37,7 @@ fn stages_that_do_not_fit_are_refused_at_their_lines() {
             "material =",
         ),
         (
-            "groups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full\"",
+            "groups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full-integration\"",
             "groups = [\"shell\"]\nmaterial = \"void\"",
             "is void: nothing can be installed",
             "install",
@@ -49,8 +49,8 @@ fn stages_that_do_not_fit_are_refused_at_their_lines() {
             "excavate",
         ),
         (
-            "element = \"full\"",
-            "element = \"full\"\nbefore = \"spare\"",
+            "element = \"full-integration\"",
+            "element = \"full-integration\"\nbefore = \"spare\"",
             "no region is made of 'spare'",
             "before",
         ),

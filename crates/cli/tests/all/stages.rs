@@ -197,7 +197,8 @@ fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
         "[initial]",
         &format!("{}[initial]", JOINT.replace("max_closure", "normal_stiffness = \"20 GPa/m\"\nmax_closure")),
     );
-    for (out, more) in [("whole", &["--threads", "1"][..]), ("from", &["--threads", "2", "--start-from", "whole"])]
+    for (out, more) in
+        [("whole", &["--threads", "1"][..]), ("from", &["--threads", "2", "--start-from", "whole"])]
     {
         let done = run(folder, out, more);
         assert_eq!(code(&done), 0, "{}", errors(&done));
@@ -205,7 +206,7 @@ fn a_bonded_joint_under_stress_is_handed_over_and_passes_its_checks() {
     same(folder, "whole", "from", &HISTORIES);
     same(folder, "whole", "from", &["interfaces.csv"]);
     // The dashpots of pairs are none while time stands still: through the stages or begun behind them is the same.
-    change(folder, "friction = 0.7", "friction = 0.7\ncontact_damping = 0.05");
+    change(folder, "friction_coefficient = 0.7", "friction_coefficient = 0.7\ncontact_damping = 0.05");
     for (out, more) in [("damped", &[][..]), ("later", &["--start-from", "whole"])] {
         let done = run(folder, out, more);
         assert_eq!(code(&done), 0, "{}", errors(&done));
@@ -235,7 +236,7 @@ fn another_earthquake_begins_with_a_run_s_rest_and_other_ground_does_not() {
 
     // What shakes, how it is damped and what is written may be another.
     for (k, (what, with)) in [
-        ("process = [\"baseline\"]", "process = [\"baseline\", \"scale 2\"]"),
+        ("processing = [\"baseline\"]", "processing = [\"baseline\", \"scale 2\"]"),
         (
             "duration = \"0.1 s\"",
             "duration = \"0.05 s\"\ndamping = { rayleigh = { mass = \"1 1/s\", stiffness = \"1e-5 s\" } }",
@@ -345,7 +346,7 @@ fn a_slab_that_hangs_is_warned_of_and_comes_down_where_its_bond_is_too_weak() {
         format!(
             "[[interface]]\nname = \"bond\"\nbetween = [\"shell\", \"rock\"]\nlaw = \"bandis\"\n\
              normal_stiffness = \"20 GPa/m\"\nmax_closure = \"2 mm\"\ncohesion = \"{strength}\"\n\
-             tensile_strength = \"{strength}\"\nfriction = 0.6\n[initial]"
+             tensile_strength = \"{strength}\"\nfriction_coefficient = 0.6\n[initial]"
         )
     };
     let folder = tempfile::tempdir().unwrap();

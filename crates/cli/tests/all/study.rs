@@ -21,7 +21,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 lateral = 0.6
 [motion]

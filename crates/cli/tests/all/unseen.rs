@@ -67,9 +67,9 @@ overburden = "60 m"
 below = "{away} m"
 sides = "{away} m"
 length = "1.25 m"
-near = "1.25 m"
-far = "6 m"
-along = "1.25 m"
+size_near = "1.25 m"
+size_far = "6 m"
+size_along = "1.25 m"
 [[mesh.caverns.cavern]]
 name = "hall"
 width = "10 m"
@@ -96,7 +96,7 @@ at = "hall.wall.left"
 const BARE: &str = r#"[[region]]
 groups = ["rock", "hall.bench*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[stage]]
 name = "excavation"
 excavate = ["hall.bench*"]
@@ -139,18 +139,18 @@ unit_weight = "25 kN/m3"
 [[region]]
 groups = ["rock", "hall.bench*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["hall.lining"]
 material = "concrete"
-element = "full"
+element = "full-integration"
 [[interface]]
 name = "contact"
 between = ["hall.lining", "rock"]
 law = "coulomb"
 {stiffness}
 cohesion = "10 MPa"
-friction = 0.7
+friction_coefficient = 0.7
 [[stage]]
 name = "excavation"
 excavate = ["hall.bench*"]
@@ -195,7 +195,7 @@ evolution = "exponential"
 [[region]]
 groups = ["rock", "hall.bench*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["hall.lining"]
 material = "concrete"
@@ -218,7 +218,7 @@ install = ["hall.lining"]
     let motion = r#"[motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 damping = { ratio = 0.05, band = ["1 Hz", "20 Hz"], reference = "0 Hz" }
 "#;
@@ -228,7 +228,10 @@ damping = { ratio = 0.05, band = ["1 Hz", "20 Hz"], reference = "0 Hz" }
     assert!(near.pass && near.value > 0.0, "{near:?}");
     let fibres = line(&summary, "fibre_stress_of_intact_elements");
     assert!(fibres.pass && (0.7..1.05).contains(&fibres.value), "{fibres:?}");
-    let whole = run(folder, &case.replace("before = \"rock\"\n", "before = \"rock\"\nelement = \"full\"\n"));
+    let whole = run(
+        folder,
+        &case.replace("before = \"rock\"\n", "before = \"rock\"\nelement = \"full-integration\"\n"),
+    );
     let fibres = line(&whole, "fibre_stress_of_intact_elements");
     assert!(!fibres.pass, "{fibres:?}");
 }
@@ -261,12 +264,12 @@ split = "compliance"
 [[region]]
 groups = ["rock"]
 material = "concrete"
-element = "one-point"
+element = "reduced-integration"
 [motion]
 kind = "incident"
 east = {{ file = "pulse.txt", units = "m/s2", dt = "0.002 s" }}
 up = {{ from = "east", factor = {strength} }}
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 sides = "periodic"
 [[monitor]]

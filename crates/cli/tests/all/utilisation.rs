@@ -32,10 +32,11 @@ fn an_elastic_lining_that_stands_from_the_start_has_sections() {
     let text = std::fs::read_to_string(folder.join("case.toml")).unwrap();
     let (start, end) = (text.find("[initial]").unwrap(), text.find("[motion]").unwrap());
     let text = format!("{}{}", &text[..start], &text[end..]);
-    let void = "groups = [\"rock\"]\nmaterial = \"rock\"\nelement = \"one-point\"\n[[region]]\ngroups = [\"hall.bench*\"]\nmaterial = \"void\"";
-    let text = text
-        .replace("before = \"rock\"\n", "")
-        .replace("groups = [\"rock\", \"hall.bench*\"]\nmaterial = \"rock\"\nelement = \"one-point\"", void);
+    let void = "groups = [\"rock\"]\nmaterial = \"rock\"\nelement = \"reduced-integration\"\n[[region]]\ngroups = [\"hall.bench*\"]\nmaterial = \"void\"";
+    let text = text.replace("before = \"rock\"\n", "").replace(
+        "groups = [\"rock\", \"hall.bench*\"]\nmaterial = \"rock\"\nelement = \"reduced-integration\"",
+        void,
+    );
     std::fs::write(folder.join("case.toml"), text).unwrap();
     let ended = run(folder, "out", &["--overwrite"]);
     assert_eq!(code(&ended), 0, "{}", errors(&ended));
@@ -60,9 +61,9 @@ overburden = "12 m"
 below = "12 m"
 sides = "12 m"
 length = "3 m"
-near = "1.6 m"
-far = "5 m"
-along = "3 m"
+size_near = "1.6 m"
+size_far = "5 m"
+size_along = "3 m"
 [[mesh.caverns.cavern]]
 name = "hall"
 shape = "circle"
@@ -82,7 +83,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock", "hall.bench*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["*.lining"]
 material = "concrete"
@@ -102,7 +103,7 @@ install = ["*.lining"]
 [motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 base = "viscous"
 sides = "viscous"

@@ -69,6 +69,6 @@ pub fn whole(mesh: Mesh) -> Problem {
 /// A joint without friction between two bodies, of a stiffness \[Pa/m\].
 pub fn joint(problem: &Problem, bodies: [usize; 2], stiffness: f64) -> Interface {
     let law = interface_laws().into_iter().find(|law| law.info.name == "coulomb").unwrap();
-    let values = Values::default().with("normal_stiffness", stiffness).with("friction", 0.0);
+    let values = Values::default().with("normal_stiffness", stiffness).with("friction_coefficient", 0.0);
     Interface::new("joint", bodies.map(|b| problem.bodies[b].elements.clone()), law, values)
 }

@@ -55,11 +55,13 @@ fn an_unknown_interface_law_is_refused_with_those_that_are_known() {
 
 #[test]
 fn unusual_parameters_of_interfaces_are_warned_of() {
-    let usual =
-        Values::default().with("normal_stiffness", 20e9).with("max_closure", 5e-4).with("friction", 0.7);
+    let usual = Values::default()
+        .with("normal_stiffness", 20e9)
+        .with("max_closure", 5e-4)
+        .with("friction_coefficient", 0.7);
     for law in ["bandis", "coulomb"] {
         assert!(interface_warnings(law, &usual).is_empty());
-        let angle = interface_warnings(law, &usual.clone().with("friction", 35.0));
+        let angle = interface_warnings(law, &usual.clone().with("friction_coefficient", 35.0));
         assert!(angle.len() == 1 && angle[0].contains("tan φ"), "{angle:?}");
         let bond = interface_warnings(law, &usual.clone().with("tensile_strength", 1e6));
         assert!(bond.len() == 1 && bond[0].contains("first slip"), "{bond:?}");

@@ -16,7 +16,9 @@
 
 use super::hyperbola::Hyperbola;
 use super::joint::{self, Joint, Tangential, WIDTH};
-use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given, unusual};
+use super::strength::{
+    COHESION, FRICTION, FRICTION_ANGLE, Strength, TENSILE_STRENGTH, positive, positive_if_given, unusual,
+};
 use crate::interface::Interface;
 use crate::lane::Lane;
 use crate::parameter::{BadParameter, Choice, Column, Dimension, Kind, Need, Parameter, Reading, Values};
@@ -62,6 +64,7 @@ impl Interface for Bandis {
         COHESION,
         TENSILE_STRENGTH,
         FRICTION,
+        FRICTION_ANGLE,
         Parameter {
             name: "tangential",
             kind: Kind::Word(&["following", "constant"]),

@@ -5,7 +5,9 @@
 //! **Not modelled.** Dilation, hardening, rates, water.
 
 use super::joint::{self, Joint, Normal, Tangential, WIDTH};
-use super::strength::{COHESION, FRICTION, Strength, TENSILE_STRENGTH, positive, positive_if_given, unusual};
+use super::strength::{
+    COHESION, FRICTION, FRICTION_ANGLE, Strength, TENSILE_STRENGTH, positive, positive_if_given, unusual,
+};
 use crate::interface::Interface;
 use crate::lane::Lane;
 use crate::parameter::{BadParameter, Choice, Column, Dimension, Kind, Need, Parameter, Reading, Values};
@@ -69,6 +71,7 @@ impl Interface for Coulomb {
         COHESION,
         TENSILE_STRENGTH,
         FRICTION,
+        FRICTION_ANGLE,
     ];
     const HISTORY: &'static [Column] = joint::COLUMNS;
     const STATE: usize = joint::STATE;

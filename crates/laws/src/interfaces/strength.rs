@@ -1,5 +1,7 @@
 //! The strength of a joint: its parameters, and what is unusual about them.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::parameter::{Dimension, Kind, Need, Parameter, Reading};
 
 pub(super) const COHESION: Parameter = Parameter {
@@ -15,11 +17,44 @@ pub(super) const TENSILE_STRENGTH: Parameter = Parameter {
     doc: "tension f_bond at which the bond breaks",
 };
 pub(super) const FRICTION: Parameter = Parameter {
-    name: "friction",
+    name: "friction_coefficient",
     kind: Kind::Number(Dimension::NONE),
-    need: Need::Required,
-    doc: "coefficient of friction μ",
+    need: Need::Optional(""),
+    doc: "coefficient of friction μ; or give `friction_angle`",
 };
+pub(super) const FRICTION_ANGLE: Parameter = Parameter {
+    name: "friction_angle",
+    kind: Kind::Number(Dimension::ANGLE),
+    need: Need::Optional(""),
+    doc: "angle of friction φ, in place of the coefficient μ = tan φ",
+};
+
+/// The coefficient of friction: one of [`FRICTION`] and [`FRICTION_ANGLE`] is given.
+fn friction(reading: &mut Reading) -> Option<f64> {
+    let coefficient = reading.optional(FRICTION.name, |x| x >= 0.0, "zero or positive", "give zero or more");
+    let angle = reading.optional(
+        FRICTION_ANGLE.name,
+        |x| (0.0..FRAC_PI_2).contains(&x),
+        "from 0 to below 90 deg",
+        "for rock joints 25 to 45 deg is usual",
+    );
+    match (coefficient?, angle?) {
+        (Some(coefficient), None) => Some(coefficient),
+        (None, Some(angle)) => Some(angle.tan()),
+        (Some(_), Some(_)) => {
+            reading.fault(
+                FRICTION_ANGLE.name,
+                "cannot stand beside `friction_coefficient`",
+                "give one of them",
+            );
+            None
+        }
+        (None, None) => {
+            reading.fault(FRICTION.name, "is missing", "give it, or `friction_angle`");
+            None
+        }
+    }
+}
 
 /// A number above zero.
 pub(super) fn positive(reading: &mut Reading, name: &'static str, usual: &str) -> Option<f64> {
@@ -76,7 +111,8 @@ impl Strength {
     /// From a law's parameters, [`COHESION`], [`TENSILE_STRENGTH`] and [`FRICTION`] among them.
     pub(super) fn read(reading: &mut Reading) -> Option<Self> {
         let mut take = |name| reading.number(name, |x| x >= 0.0, "zero or positive", "give zero or more");
-        let (cohesion, friction) = (take(COHESION.name), take(FRICTION.name));
+        let cohesion = take(COHESION.name);
+        let friction = friction(reading);
         let bond =
             reading.optional(TENSILE_STRENGTH.name, |x| x >= 0.0, "zero or positive", "give zero or more");
         let (cohesion, bond) = (cohesion?, bond?);
@@ -90,7 +126,7 @@ impl Strength {
         if friction > STEEP {
             let angle = friction.atan().to_degrees();
             found.push(format!(
-                "friction = {friction} is an angle of {angle:.0}°; it is the coefficient tan φ"
+                "friction_coefficient = {friction} is an angle of {angle:.0}°; give an angle as `friction_angle`"
             ));
         }
         if bond > 0.0 && cohesion == 0.0 {

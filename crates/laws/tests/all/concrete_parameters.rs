@@ -146,7 +146,7 @@ fn the_strength_left_at_a_corner_is_not_above_that_of_the_l_panel() {
 
 /// Tension below f_t with a trace of pressure across it, and the same beyond a crack.
 #[test]
-fn tension_that_counts_as_shear_failure_is_warned_of_and_happens_as_message() {
+fn tension_that_counts_as_shear_failure_is_warned_of_and_happens_as_said() {
     assert!(concrete(&[]).warnings().is_empty());
     let damage = |law: &Concrete, tension: f64| {
         let strain = elastic_strain([tension, -1e3, -1e3]);

@@ -56,7 +56,9 @@ fn rock_lists_apex_uniaxial_strength_and_the_constants_of_its_envelope() {
     let elastic = || Values::default().with("young", 10e9).with("poisson", 0.25);
     let none = [0.0; 2];
     // Hoek, Carranza-Torres & Corkum 2002 for GSI 40, m_i 10, D 0.
-    let law = HoekBrown::new(&elastic().with("ucs", 60e6).with("gsi", 40.0).with("m_i", 10.0)).unwrap();
+    let law =
+        HoekBrown::new(&elastic().with("compressive_strength", 60e6).with("gsi", 40.0).with("m_i", 10.0))
+            .unwrap();
     let [mb, s, a] = [10.0 * (-60.0f64 / 28.0).exp(), (-60.0f64 / 9.0).exp(), 0.511_368_5];
     near(range(&law, none, "m_b"), [mb; 2]);
     near(range(&law, none, "s"), [s; 2]);

@@ -39,7 +39,7 @@ fn start_answers_with_what_it_was_given<I: Interface>() {
         let values = sample.values();
         let cohesion = values.optional("cohesion").unwrap_or(0.0);
         let bond = values.optional("tensile_strength").unwrap_or(cohesion);
-        let friction = values.optional("friction").unwrap();
+        let friction = values.optional("friction_coefficient").unwrap();
         for _ in 0..200 {
             let pressure = -0.99 * bond + 30e6 * random.unit().powi(3);
             let most = 0.99 * (friction * pressure.max(0.0) + cohesion);
@@ -129,7 +129,7 @@ fn declared_defaults_are_used<I: Interface>() {
             bits.collect::<Vec<_>>()
         });
         assert!(a == b, "{} {}", I::NAME, sample.variant);
-        assert!(I::new(&sample.values().with("friction", -0.1)).is_err());
+        assert!(I::new(&sample.values().with("friction_coefficient", -0.1)).is_err());
     }
 }
 

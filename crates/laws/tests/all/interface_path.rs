@@ -13,8 +13,10 @@ fn along(across: Across, values: Vec<[f64; 3]>) -> InterfacePath {
 }
 
 fn joint(numbers: &[(&str, f64)]) -> Bandis {
-    let values =
-        Values::default().with("normal_stiffness", 20e9).with("max_closure", 0.5e-3).with("friction", 0.7);
+    let values = Values::default()
+        .with("normal_stiffness", 20e9)
+        .with("max_closure", 0.5e-3)
+        .with("friction_coefficient", 0.7);
     Bandis::new(&numbers.iter().fold(values, |values, (name, x)| values.with(name, *x))).unwrap()
 }
 

@@ -55,7 +55,7 @@ fn strength_holds<I: Interface>() {
         let values = sample.values();
         let cohesion = values.optional("cohesion").unwrap_or(0.0);
         let bond = values.optional("tensile_strength").unwrap_or(cohesion);
-        let friction = values.optional("friction").unwrap();
+        let friction = values.optional("friction_coefficient").unwrap();
         let mut seen = [0; 4];
         for _ in 0..12 {
             let (mut pair, path) = on_its_way(law, &mut random);

@@ -10,7 +10,8 @@ const T: f64 = 0.5e-3;
 const MU: f64 = 0.7;
 
 fn values(numbers: &[(&str, f64)]) -> Values {
-    let values = Values::default().with("normal_stiffness", K).with("max_closure", T).with("friction", MU);
+    let values =
+        Values::default().with("normal_stiffness", K).with("max_closure", T).with("friction_coefficient", MU);
     numbers.iter().fold(values, |values, (name, x)| values.with(name, *x))
 }
 
@@ -207,7 +208,7 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
     for _ in 0..500 {
         let stiffness = 10f64.powf(8.0 + 4.0 * random.unit());
         let closure = 10f64.powf(-4.0 + 2.0 * random.unit());
-        let mut given = Values::default().with("friction", MU).with("max_closure", closure);
+        let mut given = Values::default().with("friction_coefficient", MU).with("max_closure", closure);
         if random.unit() < 0.5 {
             given = given.with("closure_floor", 0.05 + 0.95 * random.unit());
         }
@@ -264,8 +265,11 @@ fn the_chosen_stiffness_is_the_largest_that_no_state_exceeds() {
 
 #[test]
 fn what_cannot_be_a_joint_is_refused_by_name() {
-    assert_eq!(faults::<Bandis>(&Values::default()), ["normal_stiffness", "max_closure", "friction"]);
-    assert_eq!(faults::<Coulomb>(&Values::default()), ["normal_stiffness", "friction"]);
+    assert_eq!(
+        faults::<Bandis>(&Values::default()),
+        ["normal_stiffness", "max_closure", "friction_coefficient"]
+    );
+    assert_eq!(faults::<Coulomb>(&Values::default()), ["normal_stiffness", "friction_coefficient"]);
     for (name, bad) in [
         ("normal_stiffness", 0.0),
         ("normal_stiffness", f64::NAN),
@@ -275,7 +279,7 @@ fn what_cannot_be_a_joint_is_refused_by_name() {
         ("cohesion", -1.0),
         ("tensile_strength", -1.0),
         ("tensile_strength", f64::INFINITY),
-        ("friction", -0.1),
+        ("friction_coefficient", -0.1),
         ("closure_floor", 0.0),
         ("closure_floor", 1.1),
         ("pressure_for_step", 0.0),
@@ -293,6 +297,29 @@ fn what_cannot_be_a_joint_is_refused_by_name() {
 }
 
 #[test]
+fn an_angle_of_friction_stands_for_its_tangent() {
+    let angle = 35_f64.to_radians();
+    let of = |numbers: &[(&str, f64)]| {
+        let given = numbers.iter().chain(&[("normal_stiffness", K), ("max_closure", 1e-3)]);
+        given.fold(Values::default(), |values, (name, x)| values.with(name, *x))
+    };
+    let shear = |values: &Values| {
+        let law = Bandis::new(values).unwrap();
+        let mut pair = Pair::new(&law);
+        pair.to(-5e-4, [1e-2, 0.0]);
+        pair.shear[0]
+    };
+    let by_angle = shear(&of(&[("friction_angle", angle)]));
+    assert!(by_angle != 0.0);
+    assert_eq!(by_angle, shear(&of(&[("friction_coefficient", angle.tan())])));
+    assert_eq!(
+        faults::<Bandis>(&of(&[("friction_angle", angle), ("friction_coefficient", 0.7)])),
+        ["friction_angle"]
+    );
+    assert_eq!(faults::<Bandis>(&of(&[("friction_angle", std::f64::consts::FRAC_PI_2)])), ["friction_angle"]);
+}
+
+#[test]
 fn the_linear_joint_is_linear() {
     let law = Coulomb::new(&values(&[("shear_stiffness", 6e9), ("cohesion", 1e6)])).unwrap();
     let mut pair = Pair::new(&law);
@@ -307,7 +334,7 @@ fn the_linear_joint_is_linear() {
 #[test]
 fn shear_that_is_not_given_is_four_tenths_of_the_stiffness_that_is_chosen() {
     let choice = Choice { stiffness: 3e9, least: 0.0, pressure: 5e6 };
-    let chosen = Coulomb::chosen(&Values::default().with("friction", MU), &choice);
+    let chosen = Coulomb::chosen(&Values::default().with("friction_coefficient", MU), &choice);
     assert_eq!(chosen.optional("normal_stiffness"), Some(3e9));
     assert_eq!(chosen.optional("shear_stiffness"), Some(0.4 * 3e9));
 }

@@ -82,7 +82,7 @@ fn softening() -> Values {
 
 fn residual() -> Values {
     let columns: [(&str, &[f64]); 2] = [("gsi", &[30.0]), ("plastic_shear_strain", &[0.01])];
-    rock(&[("ucs", 80e6), ("gsi", 70.0), ("m_i", 15.0), ("dilation_angle", 0.1)])
+    rock(&[("compressive_strength", 80e6), ("gsi", 70.0), ("m_i", 15.0), ("dilation_angle", 0.1)])
         .with_table("residual", &columns)
 }
 
@@ -140,6 +140,7 @@ fn relaxation_times_that_cannot_be_used_are_refused_by_key() {
         mohr_coulomb(C, 35.0, 0.0, 0.0).with_table("softening", &columns).with("relaxation_time", TAU);
     assert_eq!(faults::<MohrCoulomb>(slips), ["relaxation_time"]);
     let columns: [(&str, &[f64]); 2] = [("gsi", &[30.0]), ("plastic_shear_displacement", &[0.01])];
-    let slips = rock(&[("ucs", 80e6), ("gsi", 70.0), ("m_i", 15.0), ("relaxation_time", TAU)]);
+    let slips =
+        rock(&[("compressive_strength", 80e6), ("gsi", 70.0), ("m_i", 15.0), ("relaxation_time", TAU)]);
     assert_eq!(faults::<HoekBrown>(slips.with_table("residual", &columns)), ["relaxation_time"]);
 }

@@ -33,7 +33,7 @@ fn every_fault_is_named_at_once() {
     assert_eq!(faults::<MohrCoulomb>(&bad), ["poisson", "cohesion", "friction_angle", "tensile_strength"]);
     let none = Values::default();
     assert_eq!(faults::<MohrCoulomb>(&none), ["young", "poisson", "cohesion", "friction_angle"]);
-    assert_eq!(faults::<HoekBrown>(&none), ["young", "poisson", "ucs", "gsi", "m_i"]);
+    assert_eq!(faults::<HoekBrown>(&none), ["young", "poisson", "compressive_strength", "gsi", "m_i"]);
     assert_eq!(faults::<DruckerPrager>(&none), ["young", "poisson", "cohesion", "friction_angle"]);
 }
 
@@ -98,9 +98,9 @@ fn drucker_prager_keeps_fit_and_direct_constants_apart() {
 
 #[test]
 fn hoek_brown_ranges() {
-    let good = [("ucs", 50e6), ("gsi", 50.0), ("m_i", 10.0)];
+    let good = [("compressive_strength", 50e6), ("gsi", 50.0), ("m_i", 10.0)];
     for (key, bad) in [
-        ("ucs", 0.0),
+        ("compressive_strength", 0.0),
         ("gsi", 101.0),
         ("gsi", 4.9),
         ("gsi", 0.55),

@@ -240,7 +240,7 @@ fn drucker_prager() {
 fn hoek_brown() {
     let draw = |random: &mut Random| {
         let values = rock(&[
-            ("ucs", 10f64.powf(6.5 + 2.0 * random.unit())),
+            ("compressive_strength", 10f64.powf(6.5 + 2.0 * random.unit())),
             ("gsi", 10.0 + 90.0 * random.unit()),
             ("m_i", 4.0 + 28.0 * random.unit()),
             ("disturbance", random.unit()),

@@ -13,7 +13,8 @@ fn linear(c: f64, phi: f64, psi: f64, ft: f64) -> (MohrCoulomb, Reference) {
 
 fn curved([sci, gsi, m_i, psi]: [f64; 4], ft: Option<f64>) -> (HoekBrown, Reference) {
     let psi = psi.to_radians();
-    let mut values = rock(&[("ucs", sci), ("gsi", gsi), ("m_i", m_i), ("dilation_angle", psi)]);
+    let mut values =
+        rock(&[("compressive_strength", sci), ("gsi", gsi), ("m_i", m_i), ("dilation_angle", psi)]);
     if let Some(ft) = ft {
         values = values.with("tensile_strength", ft);
     }

@@ -245,7 +245,12 @@ fn tensile_strength_goes_by_the_strain_that_has_come_further() {
 }
 
 fn mass(gsi: f64, psi: f64) -> HoekBrown {
-    let values = [("ucs", 80e6), ("gsi", gsi), ("m_i", 12.0), ("dilation_angle", f64::to_radians(psi))];
+    let values = [
+        ("compressive_strength", 80e6),
+        ("gsi", gsi),
+        ("m_i", 12.0),
+        ("dilation_angle", f64::to_radians(psi)),
+    ];
     HoekBrown::new(&rock(&values)).unwrap()
 }
 
@@ -253,7 +258,8 @@ fn mass(gsi: f64, psi: f64) -> HoekBrown {
 #[test]
 fn hoek_brown_constants_of_published_rock_masses() {
     for (gsi, m_i, mb, s) in [(75.0, 25.0, 10.25, 0.062), (50.0, 12.0, 2.01, 0.004)] {
-        let law = HoekBrown::new(&rock(&[("ucs", 80e6), ("gsi", gsi), ("m_i", m_i)])).unwrap();
+        let law =
+            HoekBrown::new(&rock(&[("compressive_strength", 80e6), ("gsi", gsi), ("m_i", m_i)])).unwrap();
         assert!((law.constants()[0] - mb).abs() < 0.02 && (law.constants()[1] - s).abs() < 5e-4, "{law:?}");
     }
     let intact = mass(100.0, 0.0).constants();
@@ -321,7 +327,8 @@ fn hoek_brown_tension_ends_at_the_apex_or_the_cut_off() {
     for x in &stress[..3] {
         assert_close(*x, apex, 1e-9);
     }
-    let values = rock(&[("ucs", 80e6), ("gsi", 60.0), ("m_i", 12.0), ("tensile_strength", 0.1e6)]);
+    let values =
+        rock(&[("compressive_strength", 80e6), ("gsi", 60.0), ("m_i", 12.0), ("tensile_strength", 0.1e6)]);
     let cut = HoekBrown::new(&values).unwrap();
     assert_close(axial(&cut, 0.0, false, 1e-3, 20).stress[20][2], 0.1e6, 1e-9);
 }

@@ -167,7 +167,7 @@ fn a_sheared_layer_slips_by_its_height_times_the_plastic_strain_back_and_forth()
 }
 
 fn hoek_brown() -> Values {
-    rock(&[("ucs", 80e6), ("gsi", 70.0), ("m_i", 15.0)])
+    rock(&[("compressive_strength", 80e6), ("gsi", 70.0), ("m_i", 15.0)])
 }
 
 fn residual(values: Values, rest: &[(&str, &[f64])]) -> Values {
@@ -176,8 +176,13 @@ fn residual(values: Values, rest: &[(&str, &[f64])]) -> Values {
 
 #[test]
 fn hoek_brown_ends_as_the_rock_mass_of_its_residual_state() {
-    let end =
-        HoekBrown::new(&rock(&[("ucs", 80e6), ("gsi", 30.0), ("m_i", 15.0), ("disturbance", 0.5)])).unwrap();
+    let end = HoekBrown::new(&rock(&[
+        ("compressive_strength", 80e6),
+        ("gsi", 30.0),
+        ("m_i", 15.0),
+        ("disturbance", 0.5),
+    ]))
+    .unwrap();
     let law = HoekBrown::new(&residual(
         hoek_brown(),
         &[("gsi", &[30.0]), ("disturbance", &[0.5]), ("plastic_shear_displacement", &[SLIP])],

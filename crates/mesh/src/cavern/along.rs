@@ -62,7 +62,7 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
             return refuse("length", length, must);
         }
         if length < step - SAME {
-            let must = format!("at least an element's along the caverns, {step} m, or `along` lower");
+            let must = format!("at least an element's along the caverns, {step} m, or `size_along` lower");
             return refuse("length", length, must);
         }
         if !(-1e7..=1e7).contains(&cavern.middle) {
@@ -211,7 +211,7 @@ fn divided(
     let beyond = |from: f64, to: f64, next: f64, side: usize| {
         let mut ends = [None; 2];
         ends[side] = Some(End { next, wish: GROWTH * next });
-        let key = if spec.along.is_some() { "along" } else { "near" };
+        let key = if spec.along.is_some() { "size_along" } else { "size_near" };
         stretch(from, to, ends, far, &[]).map_err(|cause| CavernError::Grading { line: "y", key, cause })
     };
     let (first, last) = (stops[0], stops[stops.len() - 1]);

@@ -18,9 +18,9 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
         ("below", spec.below),
         ("sides", spec.sides),
         ("length", spec.length),
-        ("near", spec.near),
-        ("far", spec.far),
-        ("along", spec.along.unwrap_or(spec.near)),
+        ("size_near", spec.near),
+        ("size_far", spec.far),
+        ("size_along", spec.along.unwrap_or(spec.near)),
     ];
     for (key, length) in lengths {
         // A block larger than the Earth is a slip, and its squares stay finite.
@@ -29,7 +29,7 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
         }
     }
     if spec.far < spec.near {
-        return Err(value("far", spec.far, format!("at least `near`, {} m", spec.near)));
+        return Err(value("size_far", spec.far, format!("at least `size_near`, {} m", spec.near)));
     }
     if spec.caverns.is_empty() || spec.caverns.len() > MOST_CAVERNS {
         return Err(CavernError::Caverns { count: spec.caverns.len() });
@@ -60,7 +60,7 @@ fn check_size(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
          are taken; look at its unit",
         cavern.name
     );
-    Err(value("near", near, must))
+    Err(value("size_near", near, must))
 }
 
 fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
@@ -125,7 +125,7 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
         let least =
             if closed { cavern.height * 0.25 * near / walls } else { cavern.height - walls + 0.25 * near };
         let must = format!(
-            "at least {:.2} m, so that its {what} is a quarter of `near` high{}",
+            "at least {:.2} m, so that its {what} is a quarter of `size_near` high{}",
             (100.0 * least).ceil() / 100.0,
             if closed { String::new() } else { format!(" above the arch rise, {} m", cavern.arch_rise) }
         );
@@ -134,7 +134,7 @@ fn check_cavern(cavern: &Cavern, near: f64) -> Result<(), CavernError> {
     let most = (walls / (0.25 * near)).floor();
     if cavern.benches == 0 || f64::from(cavern.benches) > most {
         let must = format!(
-            "from 1 to {most}: with {walls} m of {what} a bench may not be lower than a quarter of `near`"
+            "from 1 to {most}: with {walls} m of {what} a bench may not be lower than a quarter of `size_near`"
         );
         return Err(value(key("benches"), f64::from(cavern.benches), must));
     }

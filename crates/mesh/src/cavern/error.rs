@@ -71,8 +71,10 @@ impl CavernError {
             Self::Name { of: Named::Layer, name, .. } => format!("layer {name}"),
             Self::Name { name, .. } | Self::Gallery { gallery: name, .. } => name.clone(),
             Self::Poor { cavern, limit, .. } if *limit == LEAST_JACOBIAN[1] => format!("{cavern}.lining"),
-            Self::Poor { .. } | Self::GalleryRows { .. } => "near".to_owned(),
-            Self::TooMany { near, along, .. } => if along < near { "along" } else { "near" }.to_owned(),
+            Self::Poor { .. } | Self::GalleryRows { .. } => "size_near".to_owned(),
+            Self::TooMany { near, along, .. } => {
+                if along < near { "size_along" } else { "size_near" }.to_owned()
+            }
             Self::LowGround { .. } => "overburden".to_owned(),
             Self::SteepGround { .. } => "ground".to_owned(),
             Self::Caverns { .. } => String::new(),
@@ -92,7 +94,7 @@ fn at_most(length: f64) -> f64 {
 /// A size \[m\] of elements of which a cavern has this much rock beside it, if there is one worth the name.
 fn smaller(rock: f64) -> String {
     match at_most(rock / ROCK) {
-        near if near > 0.0 => format!(", or lower `near` to {near} m"),
+        near if near > 0.0 => format!(", or lower `size_near` to {near} m"),
         _ => String::new(),
     }
 }
@@ -108,22 +110,22 @@ impl fmt::Display for CavernError {
             Self::TooClose { first, second, rock, needed } => write!(
                 f,
                 "caverns {first:?} and {second:?}: {rock:.3} m of rock between their linings (negative: they \
-                 overlap), {needed:.3} m are needed, {ROCK} times `near`; move them apart by {apart} m with `at`{smaller}",
+                 overlap), {needed:.3} m are needed, {ROCK} times `size_near`; move them apart by {apart} m with `at`{smaller}",
                 apart = at_least(needed - rock),
                 smaller = smaller(*rock)
             ),
             Self::TooNearToEdge { cavern, key, rock, needed } => write!(
                 f,
                 "cavern {cavern:?}: {rock:.3} m of rock to the edge of the block (negative: it lies beyond), {needed:.3} m are \
-                 needed, {ROCK} times `near`; raise `{key}` by {more} m{smaller}",
+                 needed, {ROCK} times `size_near`; raise `{key}` by {more} m{smaller}",
                 more = at_least(needed - rock),
                 smaller = smaller(*rock)
             ),
             Self::TooMany { elements, near, along } => write!(
                 f,
-                "about {elements:.1e} elements with `near` {near} m and {along} m along the caverns, the limit is {MOST_ELEMENTS}; raise \
+                "about {elements:.1e} elements with `size_near` {near} m and {along} m along the caverns, the limit is {MOST_ELEMENTS}; raise \
                  {} (look at its unit)",
-                if along < near { "`along`" } else { "`near`, or `far` with it" }
+                if along < near { "`size_along`" } else { "`size_near`, or `size_far` with it" }
             ),
             Self::Grading { line, key, cause } => {
                 write!(f, "grid along {line}: {cause}; change `{key}` (look at its unit)")
@@ -131,18 +133,18 @@ impl fmt::Display for CavernError {
             Self::Poor { cavern, near, scaled_jacobian, limit } if *limit == LEAST_JACOBIAN[1] => write!(
                 f,
                 "cavern {cavern:?} in elements of {near} m: one of its lining or shotcrete has a scaled Jacobian of {scaled_jacobian:.3}, \
-                 below {limit}; bring `lining.walls`, `lining.crown` and `lining.floor` nearer to one another, or try another `near`"
+                 below {limit}; bring `lining.walls`, `lining.crown` and `lining.floor` nearer to one another, or try another `size_near`"
             ),
             Self::Poor { cavern, near, scaled_jacobian, limit } => write!(
                 f,
                 "cavern {cavern:?} in elements of {near} m: one of them has a scaled Jacobian of {scaled_jacobian:.3}, below {limit}; \
-                 try another `near`, more rock around the cavern, or fewer benches"
+                 try another `size_near`, more rock around the cavern, or fewer benches"
             ),
             Self::Gallery { gallery, why } => write!(f, "gallery {gallery:?} {why}"),
             Self::GalleryRows { gallery, near } => write!(
                 f,
                 "gallery {gallery:?} and the benches, floors and roofs of its two caverns leave no way to lead rows of elements of {near} m \
-                 from wall to wall; lower `near`, or move the gallery or a cavern with `at`"
+                 from wall to wall; lower `size_near`, or move the gallery or a cavern with `at`"
             ),
             Self::LowGround { at: [x, y], height, needed } => write!(
                 f,

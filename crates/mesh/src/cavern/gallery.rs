@@ -56,7 +56,7 @@ pub(super) fn check(spec: &CavernSpec) -> Result<(), CavernError> {
         let least = LEAST * spec.near.min(spec.along.unwrap_or(spec.near));
         for (name, length) in [("width", gallery.width), ("height", gallery.height)] {
             if length < least {
-                let must = format!("at least {least:.3} m, a tenth of an element, or `near` lower");
+                let must = format!("at least {least:.3} m, a tenth of an element, or `size_near` lower");
                 return Err(value(key(name), length, must));
             }
         }

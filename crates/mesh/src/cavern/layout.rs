@@ -78,7 +78,7 @@ impl Layout {
         for (plot, claim) in plots.iter_mut().zip(&claims) {
             let mean = claim.margin.as_flattened().iter().sum::<f64>() / 4.0;
             let line = graded(0.0, mean, (Some(spec.near), None), spec.far, GROWTH).map_err(|cause| {
-                CavernError::Grading { line: "the rings round a cavern", key: "near", cause }
+                CavernError::Grading { line: "the rings round a cavern", key: "size_near", cause }
             })?;
             plot.rings = line.iter().map(|s| s / mean).collect();
         }

@@ -131,7 +131,7 @@ fn outside(
     let cuts: Vec<f64> = spec.layers.iter().filter(|l| level && l.dip == 0.0).map(|l| -l.depth).collect();
     let line = ["x", "z"][axis];
     // Where even the largest elements are too many it is their size that is wrong.
-    let key = if (to - from) / spec.far > MOST_ELEMENTS as f64 / 100.0 { "far" } else { "near" };
+    let key = if (to - from) / spec.far > MOST_ELEMENTS as f64 / 100.0 { "size_far" } else { "size_near" };
     let mut part = stretch(from, to, ends, spec.far, &cuts).map_err(|cause| CavernError::Grading {
         line,
         key,

@@ -104,7 +104,7 @@ fn apart(spec: &CavernSpec, passages: &[Passage]) -> Result<(), CavernError> {
                 if let Some(gap) = gap {
                     let why = format!(
                         "has a {what} {gap:.3} m from one of gallery {:?}; make them one or {least:.3} m apart with \
-                         `at`, `width` or `height`, or lower `near`",
+                         `at`, `width` or `height`, or lower `size_near`",
                         other.name
                     );
                     return Err(refuse(gallery, why));

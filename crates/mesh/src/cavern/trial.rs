@@ -54,7 +54,7 @@ impl CavernSpec {
         for near in FACTORS.map(|factor| two_digits(factor * self.near)) {
             if near <= self.far && !tried.contains(&near) {
                 tried.push(near);
-                all.push(("near".to_owned(), near, CavernSpec { near, ..self.clone() }));
+                all.push(("size_near".to_owned(), near, CavernSpec { near, ..self.clone() }));
             }
         }
         all

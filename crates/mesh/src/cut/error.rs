@@ -53,12 +53,12 @@ impl fmt::Display for CutError {
             Self::NoWay { name, at: [x, z] } => write!(
                 f,
                 "no nodes near plane '{name}' can be moved onto it about x = {x:.1} m, z = {z:.1} m without leaving elements too poor; move \
-                 `through` by half an element, lower `near`, or {GMSH}"
+                 `through` by half an element, lower `size_near`, or {GMSH}"
             ),
             Self::Poor { name, jacobian, at: [x, y, z] } => write!(
                 f,
                 "plane '{name}' cannot be meshed at ({x:.1}, {y:.1}, {z:.1}) m: it would distort an element there to a scaled Jacobian of \
-                 {jacobian:.2}, and {LEAST_JACOBIAN} is the least allowed; move `through` by half an element, lower `near`, or {GMSH}"
+                 {jacobian:.2}, and {LEAST_JACOBIAN} is the least allowed; move `through` by half an element, lower `size_near`, or {GMSH}"
             ),
         }
     }

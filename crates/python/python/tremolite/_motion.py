@@ -218,7 +218,7 @@ class Motion:
         return Stream(traces)
 
     def process(self, *steps: str) -> Motion:
-        """The record after steps as `motion.process` of a case has them: "detrend linear", "bandpass 0.1 Hz 20 Hz", "baseline"."""
+        """The record after steps as `motion.processing` of a case has them: "detrend linear", "bandpass 0.1 Hz 20 Hz", "baseline"."""
         made = process_record(self, list(steps))
         return Motion(replace(new, origin=old.origin) for new, old in zip(made.channels, self.channels, strict=True))
 

@@ -38,7 +38,7 @@ pub const TEXTS: Texts = &[
         "{first} Not drawn: {pair}, up to {size} along an axis, of which one monitor is on a broken element.",
         "{first}未绘出：{pair}，沿某一轴最大 {size}，其中一个监测点位于断裂单元上。",
     ),
-    ("The case names no pairs of monitors ([[relative]]).", "算例没有指定监测点对（[[relative]]）。"),
+    ("The case names no pairs of monitors ([[monitor_pair]]).", "算例没有指定监测点对（[[monitor_pair]]）。"),
     (
         "Of each pair, the displacement of the first monitor less that of the second: what the lining between them has to follow.",
         "每一对中第一个监测点的位移减去第二个的：即两点之间的衬砌必须承受的变形。",

@@ -4,8 +4,8 @@ use super::Texts;
 
 pub(super) const TEXTS: Texts = &[
     (".", "。"),
-    ("{count} elements, one-point", "{count} 个单元，单点积分"),
-    ("{count} elements, full", "{count} 个单元，完全积分"),
+    ("{count} elements, reduced integration", "{count} 个单元，减缩积分"),
+    ("{count} elements, full integration", "{count} 个单元，完全积分"),
     ("{count} elements, layered", "{count} 个单元，沿厚度分层积分"),
     ("{count} elements, {kind}", "{count} 个单元，{kind}"),
     ("{least} to {most}", "{least} 至 {most}"),

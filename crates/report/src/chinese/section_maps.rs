@@ -163,8 +163,8 @@ pub const TEXTS: Texts = &[
         "所取场文件（{when}）最接近 {time}\u{a0}s，此时监测点间相对位移最大：{pair} 为 {size}。",
     ),
     (
-        "The file {when}, the last: the case compares no monitors ([[relative]]), so that nothing says when linings are strained most.",
-        "取最后一个文件（{when}）：算例未比较监测点（[[relative]]），无从得知衬砌何时变形最大。",
+        "The file {when}, the last: the case compares no monitors ([[monitor_pair]]), so that nothing says when linings are strained most.",
+        "取最后一个文件（{when}）：算例未比较监测点（[[monitor_pair]]），无从得知衬砌何时变形最大。",
     ),
     ("displacement less the common motion", "扣除整体运动后的位移"),
     ("shape of linings and openings × {factor}", "衬砌与洞室形状 × {factor}"),

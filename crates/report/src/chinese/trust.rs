@@ -106,8 +106,8 @@ pub const TEXTS: Texts = &[
     ),
     ("residual displacement of the input over its peak", "输入位移的终值与峰值之比"),
     (
-        "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.process, behind filter and taper",
-        "数值大说明记录存在漂移，模型将随之整体移动：请在 motion.process 中将 \"baseline\" 放在滤波与端部渐变（taper）之后，作为最后一步",
+        "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.processing, behind filter and taper",
+        "数值大说明记录存在漂移，模型将随之整体移动：请在 motion.processing 中将 \"baseline\" 放在滤波与端部渐变（taper）之后，作为最后一步",
     ),
     ("free field against one-dimensional theory", "自由场与自由场理论解之差"),
     ("motion at the model's corners against the free field", "模型角部与自由场之差"),
@@ -215,7 +215,7 @@ pub const TEXTS: Texts = &[
         "way of the water in the earthquake over the element at drained ground",
         "地震期间水的运移距离与排水边界处单元尺寸之比",
     ),
-    ("no permeability is given", "未给出渗透系数"),
+    ("no hydraulic conductivity is given", "未给出渗透系数"),
     ("wet ground ends nowhere", "含水地层没有排水边界"),
     (
         "√(c_v T) over the shortest extent, largest in {element}: so far from voids and drained ground water does leave, and pressures change by less",

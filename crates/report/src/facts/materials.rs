@@ -74,8 +74,8 @@ fn table(language: Language, name: &str, facts: &MaterialFacts) -> MaterialTable
 fn elements(language: Language, group: &MaterialGroup) -> String {
     let count = count(group.elements);
     match group.element.as_str() {
-        "one-point" => say!(language, "{count} elements, one-point", count = count),
-        "full" => say!(language, "{count} elements, full", count = count),
+        "reduced-integration" => say!(language, "{count} elements, reduced integration", count = count),
+        "full-integration" => say!(language, "{count} elements, full integration", count = count),
         "layered" => say!(language, "{count} elements, layered", count = count),
         other => say!(language, "{count} elements, {kind}", count = count, kind = other),
     }

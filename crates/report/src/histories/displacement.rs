@@ -106,7 +106,7 @@ impl Recorded<'_> {
         let language = self.source.language;
         let heading = say!(language, "Relative displacement");
         if self.pairs.is_empty() {
-            let why = say!(language, "The case names no pairs of monitors ([[relative]]).");
+            let why = say!(language, "The case names no pairs of monitors ([[monitor_pair]]).");
             return Section::left_out(&heading, why);
         }
         let mut caption = say!(

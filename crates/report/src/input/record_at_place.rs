@@ -17,7 +17,12 @@ pub fn figure(source: &Source, given: &[(usize, &[f64])]) -> Option<Figure> {
     let language = source.language;
     let (Some(Ok(motion)), Some(Ok(found))) = (&source.motion, &source.free_field) else { return None };
     let facts = source.facts();
-    facts.computed.motion.deconvolved.as_ref().filter(|_| !facts.monitors.monitor_positions.contains_key(RECORD))?;
+    facts
+        .computed
+        .motion
+        .deconvolved
+        .as_ref()
+        .filter(|_| !facts.monitors.monitor_positions.contains_key(RECORD))?;
     let time = motion.column("time")?;
     let panel = |&(axis, values): &(usize, &[f64])| {
         let own = &found.record[axis];

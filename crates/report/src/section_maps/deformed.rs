@@ -65,11 +65,19 @@ pub fn section(source: &Source, snapshots: &Snapshots) -> Section {
         ),
         (_, None) => say!(
             language,
-            "The file {when}, the last: the case compares no monitors ([[relative]]), so that nothing says when linings are strained most.",
+            "The file {when}, the last: the case compares no monitors ([[monitor_pair]]), so that nothing says when linings are strained most.",
             when = time
         ),
     };
-    Section::Drawn(vec![figure(source, &heading, &slice, &cut, &motion, why, &facts.monitors.monitor_positions)])
+    Section::Drawn(vec![figure(
+        source,
+        &heading,
+        &slice,
+        &cut,
+        &motion,
+        why,
+        &facts.monitors.monitor_positions,
+    )])
 }
 
 /// The pair of monitors that moved most against each other, when, and how far; of those that did not come loose.

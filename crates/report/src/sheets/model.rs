@@ -18,7 +18,7 @@ const NAMED: usize = 4;
 /// Materials that have a line: more would take the sheet's room.
 const MATERIALS: usize = 5;
 /// Parameters of a material that are told.
-const TOLD: [&str; 13] = [
+const TOLD: [&str; 12] = [
     "grade",
     "young",
     "poisson",
@@ -28,7 +28,6 @@ const TOLD: [&str; 13] = [
     "compressive_strength",
     "fracture_energy",
     "rate",
-    "ucs",
     "gsi",
     "m_i",
     "disturbance",
@@ -219,6 +218,7 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         shared.filter(|damping| tables.len() > 1 && tables.iter().all(|m| m.damping.to_string() == *damping));
     let more = tables.len().saturating_sub(MATERIALS);
     for material in tables.iter().take(MATERIALS) {
+        let is_rock = material.given.iter().any(|row| row.name == "gsi");
         let told = material.given.iter().filter(|row| TOLD.contains(&row.name.as_str()));
         let mut parts = vec![material.law.clone()];
         // What is left out and does nothing by itself is not told.
@@ -226,10 +226,10 @@ pub fn facts(source: &Source, summary: &Summary) -> Vec<Fact> {
         parts.extend(told.map(|row| match (row.name.as_str(), row.value.as_str()) {
             ("rate", STATIC) => say!(language, "strength the same at any strain rate"),
             ("rate", law) => say!(language, "strength grows with the strain rate ({law})", law = law),
-            (name, value) => format!("{} {value}", symbol(name)).trim().to_owned(),
+            (name, value) => format!("{} {value}", symbol(name, is_rock)).trim().to_owned(),
         }));
         let works_out = material.derived.iter().filter(|row| row.name == STRENGTH);
-        parts.extend(works_out.map(|row| format!("{} {}", symbol(&row.name), row.value)));
+        parts.extend(works_out.map(|row| format!("{} {}", symbol(&row.name, is_rock), row.value)));
         parts.push(material.density.clone());
         let label = say!(language, "Material {name}", name = material.name);
         let values = parts.join(&say!(language, ", "));
@@ -392,9 +392,10 @@ fn thickness(source: &Source, summary: &Summary) -> Option<Fact> {
     (!all.is_empty()).then(|| card(say!(language, "Thickness of linings"), text, ""))
 }
 
-/// The symbol of a parameter.
-fn symbol(name: &str) -> &str {
+/// The symbol of a parameter of concrete or of rock. The strength of rock is that of the intact rock.
+fn symbol(name: &str, is_rock: bool) -> &str {
     match name {
+        STRENGTH if is_rock => "σ_ci",
         "young" => "E",
         "poisson" => "ν",
         "cohesion" => "c",
@@ -404,7 +405,6 @@ fn symbol(name: &str) -> &str {
         "fracture_energy" => "G_f",
         // C25/30 says what it is.
         "grade" => "",
-        "ucs" => "σ_ci",
         "gsi" => "GSI",
         "disturbance" => "D",
         other => other,

@@ -95,7 +95,11 @@ pub fn caption(f: &StudyFragility, language: Language) -> String {
         text.push(say!(language, "Left out: {parts}.", parts = parts.join(", ")));
     }
     if !f.no_curve.is_empty() {
-        text.push(say!(language, "No curve: {why}.", why = language.tell_or(&f.no_curve_message, &f.no_curve)));
+        text.push(say!(
+            language,
+            "No curve: {why}.",
+            why = language.tell_or(&f.no_curve_message, &f.no_curve)
+        ));
     }
     match &f.bounds {
         Some(b) if b.without > 0 => text.push(say!(

@@ -106,8 +106,9 @@ pub fn html(study: &Study, language: Language, parts: &Parts) -> Result<String, 
             names = programs.join(", ")
         )
     };
-    let no_result =
-        |run: &&StudyRun| matches!(run.status, RunStatus::Failed | RunStatus::NotConverged | RunStatus::Error);
+    let no_result = |run: &&StudyRun| {
+        matches!(run.status, RunStatus::Failed | RunStatus::NotConverged | RunStatus::Error)
+    };
     let more = study.runs.len().saturating_sub(ROWS);
     let page = Page {
         style: markup(STYLE),

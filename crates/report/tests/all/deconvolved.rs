@@ -141,7 +141,7 @@ fn caption_and_card_say_what_was_done() {
 }
 
 #[test]
-fn other_kinds_and_older_versions_say_what_they_message() {
+fn other_kinds_and_older_versions_say_what_they_said() {
     let temp = tempfile::tempdir().unwrap();
     let folder = recorded(temp.path());
     fs::remove_file(folder.transfer()).unwrap();

@@ -204,7 +204,7 @@ fn stress_is_drawn_once_by_element_and_the_number_is_the_cells() {
 }
 
 #[test]
-fn the_shape_is_drawn_as_many_times_enlarged_as_is_message() {
+fn the_shape_is_drawn_as_many_times_enlarged_as_is_said() {
     let temp = tempfile::tempdir().unwrap();
     let grids = [0.0, 0.5, 1.0].map(|time| complete(time, 0.0, 0));
     let folder = folder(temp.path(), &grids);

@@ -53,7 +53,10 @@ pub fn results(root: &Path, monitors: &[&str]) -> ResultFolder {
             ],
             ..Soundness::default()
         },
-        case: CaseFacts { defaults_used: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
+        case: CaseFacts {
+            defaults_used: vec![Defaulted::new("dynamic.safety", "0.9")],
+            ..CaseFacts::default()
+        },
         monitors: MonitorFacts {
             peaks: peaks_by_monitor(&Table::read(&folder.monitors()).unwrap())[0].clone(),
             ..MonitorFacts::default()

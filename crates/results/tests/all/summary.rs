@@ -32,7 +32,10 @@ fn summary() -> Summary {
             ],
             ..Soundness::default()
         },
-        case: CaseFacts { defaults_used: vec![Defaulted::new("dynamic.safety", "0.9")], ..CaseFacts::default() },
+        case: CaseFacts {
+            defaults_used: vec![Defaulted::new("dynamic.safety", "0.9")],
+            ..CaseFacts::default()
+        },
         ..Summary::default()
     };
     let peaks = Peaks {

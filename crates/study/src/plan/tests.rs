@@ -118,7 +118,7 @@ fn rising_levels_are_numbered_on() {
 #[test]
 fn rows_have_their_names_and_what_they_stand_beside() {
     let plan = plan(
-        "[[row]]\nname = \"as it is\"\n[[row]]\nname = \"interface μ 0.5\"\nbeside = \"as it is\"\nset = { \"interface[a].friction\" = 0.5 }\n",
+        "[[row]]\nname = \"as it is\"\n[[row]]\nname = \"interface μ 0.5\"\nbeside = \"as it is\"\nset = { \"interface[a].friction_coefficient\" = 0.5 }\n",
     );
     assert_eq!(names(&plan), ["as-it-is", "interface-mu-0.5"]);
     assert_eq!(plan.samples[1].beside, Some(0));

@@ -17,10 +17,10 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [motion]
 kind = "incident"
-process = ["detrend linear"]
+processing = ["detrend linear"]
 [motion.east]
 file = "own.txt"
 [dynamic]
@@ -64,7 +64,7 @@ fn a_record_takes_the_place_of_the_cases_and_all_is_scaled_once() {
         [
             pair("east", "{ file = \"../records/a.txt\", units = \"g\" }"),
             pair("kind", "\"incident\""),
-            pair("process", "[\"detrend linear\", \"scale 0.5\"]"),
+            pair("processing", "[\"detrend linear\", \"scale 0.5\"]"),
         ]
     );
     // What is kept of it is text, with all else of the file as it was.

@@ -19,8 +19,6 @@ pub struct Known<'a> {
     pub materials: &'a IndexMap<String, MaterialFacts>,
     /// Frequency at which moduli are meant \[Hz\].
     pub reference: Option<f64>,
-    /// Why a base that was left out has no springs.
-    pub base_without_springs: Option<&'a str>,
     /// The step used \[s\].
     pub dt: f64,
 }
@@ -29,17 +27,11 @@ pub struct Known<'a> {
 /// it; a parameter that nothing takes the place of is `none`.
 pub fn defaulted(known: &Known) -> Vec<Defaulted> {
     let line = |d: &tremolite_case::Defaulted| match used(known, &d.key) {
-        _ if d.key == "dynamic.base" && known.base_without_springs.is_some() => Defaulted::new(
-            &d.key,
-            format!("\"viscous\", without springs: {}", known.base_without_springs.unwrap_or_default()),
-        ),
         Some(value) if value == d.value => Defaulted::new(&d.key, value),
         Some(value) => Defaulted::new(&d.key, format!("{value} ({})", d.value)),
         None => Defaulted::new(&d.key, &d.value),
     };
-    // Keys of the springs that are not there.
-    let of_springs = |key: &str| known.base_without_springs.is_some() && key.starts_with("dynamic.base.");
-    known.case.defaulted.iter().filter(|d| !of_springs(&d.key)).map(line).collect()
+    known.case.defaulted.iter().map(line).collect()
 }
 
 /// The value used for a key whose default is no value itself.
@@ -56,7 +48,7 @@ fn used(known: &Known, key: &str) -> Option<String> {
             let [from, to] = known.motion?.window;
             Some(format!("{} to {}", seconds(from), seconds(to)))
         }
-        "mesh.caverns.along" => match &known.case.mesh {
+        "mesh.caverns.size_along" => match &known.case.mesh {
             Mesh::Caverns(caverns) => Some(units::format(caverns.near.value, Dimension::LENGTH)),
             _ => None,
         },

@@ -210,8 +210,10 @@ mod tests {
         let (block, rock) = (of(1), of(2));
         let coulomb =
             tremolite_kernels::interface_laws().into_iter().find(|l| l.info.name == "coulomb").unwrap();
-        let values =
-            Values::default().with("normal_stiffness", 1e10).with("cohesion", 1e5).with("friction", 0.5);
+        let values = Values::default()
+            .with("normal_stiffness", 1e10)
+            .with("cohesion", 1e5)
+            .with("friction_coefficient", 0.5);
         let cut = Interface::new("cut", [block.clone(), rock.clone()], coulomb, values);
         let bar = |k: usize| Bar {
             points: vec![[2.0, 0.6 + k as f64, 2.0], [2.0, 0.6 + k as f64, 5.5]],

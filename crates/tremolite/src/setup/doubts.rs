@@ -96,7 +96,7 @@ pub fn of_steps(processing: &Processing, processed: &Channels) -> Vec<Diagnostic
     let Processing { motion, target, steps } = processing;
     let sets_size = |step: &Process| matches!(step, Process::PeakAcceleration { .. } | Process::Match { .. });
     let mut doubts = Vec::new();
-    for (k, (step, word)) in steps.iter().zip(&motion.process).enumerate() {
+    for (k, (step, word)) in steps.iter().zip(&motion.processing).enumerate() {
         let idle = match step {
             // A negative number turns the motion round, which stays.
             Process::Scale(number) => *number > 0.0 && *number != 1.0,
@@ -104,7 +104,7 @@ pub fn of_steps(processing: &Processing, processed: &Channels) -> Vec<Diagnostic
             _ => false,
         };
         let Some(later) = steps[k + 1..].iter().position(sets_size).filter(|_| idle) else { continue };
-        let later = &motion.process[k + 1 + later].value;
+        let later = &motion.processing[k + 1 + later].value;
         doubts.push(Diagnostic::at(
             word,
             format!("\"{}\": no effect, since \"{later}\" behind it scales the motion anew", word.value),
@@ -135,7 +135,7 @@ fn of_match(
         Some(misfit(&scaled, channel.dt, target, band).ok()?.largest)
     };
     let largest = processed.horizontal().into_iter().filter_map(off).fold(0.0, f64::max);
-    let (word, changing) = (&motion.process[last], &motion.process[last + 1 + changed].value);
+    let (word, changing) = (&motion.processing[last], &motion.processing[last + 1 + changed].value);
     (largest > OFF_TARGET).then(|| {
         Diagnostic::at(
             word,
@@ -152,7 +152,7 @@ fn of_match(
 
 /// A peak that steps behind it change.
 pub fn of_peak(motion: &case::Motion, channels: &mut Channels, steps: &[Process]) -> Option<Diagnostic> {
-    let (step, word) = steps.iter().zip(&motion.process).rev().find_map(|(step, word)| match step {
+    let (step, word) = steps.iter().zip(&motion.processing).rev().find_map(|(step, word)| match step {
         Process::PeakAcceleration { value, units } => Some((value * units.factor()?, word)),
         _ => None,
     })?;
@@ -190,7 +190,7 @@ pub fn of_sampling(motion: &case::Motion, dt: f64, highest: f64) -> Option<Diagn
                  {highest:.1} Hz, below which 99.9 % of the motion's energy lies",
                 100.0 * (1.0 - lost)
             ),
-            format!("put \"resample {} s\" last in motion.process: a band-limited course between the samples", fine(highest)),
+            format!("put \"resample {} s\" last in motion.processing: a band-limited course between the samples", fine(highest)),
         )
     })
 }
@@ -214,7 +214,7 @@ pub fn of_site(motion: &case::Motion, site: &SiteFacts, given: &Motion) -> Vec<D
                 site.reach
             ),
             format!(
-                "put a low-pass well below {:.2} Hz into motion.process, or do without: what comes out there lacks it",
+                "put a low-pass well below {:.2} Hz into motion.processing, or do without: what comes out there lacks it",
                 site.reach
             ),
         ));

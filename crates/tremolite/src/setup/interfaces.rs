@@ -1,7 +1,6 @@
 //! Which elements meet at interfaces, and by what law.
 
 use super::groups::nothing_fits;
-use super::stages::StandIn;
 use super::{places, planes};
 use crate::plan::PairMonitor;
 use std::collections::{BTreeMap, BTreeSet};
@@ -205,6 +204,14 @@ pub fn warnings(case: &Case, laws: &[InterfaceLaw]) -> Vec<Diagnostic> {
             .extend(built.warnings().into_iter().map(|w| Diagnostic::new(written.span.clone(), w, remedy)));
     }
     warnings
+}
+
+/// Ground that stands in the place of what is installed later.
+pub struct StandIn {
+    pub element: u32,
+    /// The element of the mesh in whose place it stands.
+    pub of: u32,
+    pub body: usize,
 }
 
 /// Puts ground that stands in the place of what is installed later on the sides of interfaces that are there from the start: on the

@@ -65,8 +65,8 @@ pub fn facts(
             body: body.name.clone(),
             elements: body.elements.len() as u64,
             element: match body.quadrature {
-                Quadrature::OnePoint => "one-point".into(),
-                Quadrature::Full => "full".into(),
+                Quadrature::OnePoint => "reduced-integration".into(),
+                Quadrature::Full => "full-integration".into(),
                 Quadrature::Layered(_) => "layered".into(),
             },
         });

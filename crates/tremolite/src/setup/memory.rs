@@ -18,7 +18,7 @@ pub struct Inputs {
     /// For `mesh.file.path`, as a file would hold them: `mesh.file.unit` and `rotate` apply to them.
     pub meshes: IndexMap<String, Mesh>,
     /// For `motion.file`, by the orientation of each channel, or for `file` of a component: samples in m/s² as a file would hold
-    /// them, before `motion.process`. What the case says of how a file is written (`units`, `columns`, `sensitivity`) has no
+    /// them, before `motion.processing`. What the case says of how a file is written (`units`, `columns`, `sensitivity`) has no
     /// meaning for them; a `dt` must agree.
     pub records: IndexMap<String, Vec<Channel>>,
     /// For `file` of bolts: head and other end \[m\].

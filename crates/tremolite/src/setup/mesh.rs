@@ -199,9 +199,9 @@ fn place(c: &case::Caverns, subject: &str) -> Range<usize> {
         "below" => c.below.span.clone(),
         "sides" => c.sides.span.clone(),
         "length" => c.length.span.clone(),
-        "near" => c.near.span.clone(),
-        "far" => c.far.span.clone(),
-        "along" => along.unwrap_or(&c.span).clone(),
+        "size_near" => c.near.span.clone(),
+        "size_far" => c.far.span.clone(),
+        "size_along" => along.unwrap_or(&c.span).clone(),
         "ground" => match &c.ground {
             Some(case::GroundSurface::Slope(slope)) => slope.span.clone(),
             _ => c.span.clone(),
@@ -317,8 +317,8 @@ overburden = "60 m"
 below = "40 m"
 sides = "40 m"
 length = "30 m"
-near = "3 m"
-far = "8 m"
+size_near = "3 m"
+size_far = "8 m"
 [[mesh.caverns.cavern]]
 name = "hall"
 width = "12 m"
@@ -333,10 +333,15 @@ lining = { walls = "0.5 m", crown = "0.9 m" }
             ("crown = \"0.9 m\"", "crown = \"9 m\"", "\"9 m\"", "half the width"),
             ("crown = \"0.9 m\" }", "crown = \"0.9 m\" }\nshotcrete = \"7 m\"", "\"7 m\"", "half the width"),
             ("overburden = \"60 m\"", "overburden = \"0.1 m\"", "\"0.1 m\"", "raise `overburden` by 4.4 m"),
-            ("arch_rise = ", "length = \"2 m\"\narch_rise = ", "\"2 m\"", "`along`"),
+            ("arch_rise = ", "length = \"2 m\"\narch_rise = ", "\"2 m\"", "`size_along`"),
             ("arch_rise = ", "length = \"28 m\"\narch_rise = ", "\"28 m\"", "rock"),
             ("arch_rise = ", "length = \"9 m\"\nmiddle = \"11 m\"\narch_rise = ", "\"11 m\"", "rock"),
-            ("far = \"8 m\"", "far = \"8 m\"\nalong = \"1e-9 m\"", "\"1e-9 m\"", "raise `along`"),
+            (
+                "size_far = \"8 m\"",
+                "size_far = \"8 m\"\nsize_along = \"1e-9 m\"",
+                "\"1e-9 m\"",
+                "raise `size_along`",
+            ),
             (
                 "[[mesh.caverns.cavern]]",
                 "[[mesh.caverns.layer]]\nname = \"cap\"\n[[mesh.caverns.layer]]\nname = \"rock\"\ndepth = \"9 m\"\n[[mesh.caverns.cavern]]",

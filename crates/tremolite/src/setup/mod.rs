@@ -69,8 +69,6 @@ pub struct Setup {
     pub reference: Option<f64>,
     /// The case and the files that it names.
     pub inputs: Vec<Input>,
-    /// Why the base is not the one that is usual, where the case leaves it out.
-    pub base_without_springs: Option<String>,
     /// What is unusual though it can be run, at its place in the case.
     pub warnings: Vec<case::Diagnostic>,
 }
@@ -218,8 +216,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     let solid = staged.solid();
     let (bars, bare) = reinforcement::build(case, &mesh, &staged.places, &solid, &mut problems);
     let judged = sections::build(case, &mesh, &staged.places, &solid, &lasting, &mut problems);
-    let (base, base_without_springs) =
-        springs_or_none(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
+    check_springs(case, &mesh, &lasting, &interfaces, staged.lives(), base, &mut problems);
     if !problems.is_empty() {
         return Err(case.report(problems));
     }
@@ -364,7 +361,7 @@ pub fn setup_of(case: &Case, held: &Inputs, laws: &Laws, isa: Isa) -> Result<Set
     };
     let inputs = inputs::inputs(case, held);
     let warnings = case.keyed(warnings);
-    Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, base_without_springs, warnings })
+    Ok(Setup { problem, plan, motion: facts, materials, reference, inputs, warnings })
 }
 
 /// The boundaries while the ground shakes, by their words.
@@ -458,9 +455,9 @@ fn grounds(
     column::grounds(mesh, bodies, &body_of, interfaces, lives)
 }
 
-/// The base, and why it has no springs though they are usual: where there is no column of ground along the model's vertical edges
-/// there is no free field that they could count from. A base that asks for them is refused; without an earthquake nothing asks.
-fn springs_or_none(
+/// Refuses springs of the base where there is no column of ground along the model's vertical edges: they act on what differs from its
+/// motion.
+fn check_springs(
     case: &Case,
     mesh: &tremolite_mesh::Mesh,
     bodies: &[Body],
@@ -468,23 +465,20 @@ fn springs_or_none(
     lives: &[Life],
     base: Base,
     problems: &mut Vec<case::Diagnostic>,
-) -> (Base, Option<String>) {
+) {
     // What else is wrong comes first: elements without a material are no ground.
-    if !base.has_springs() || !problems.is_empty() {
-        return (base, None);
+    if !base.has_springs() || !problems.is_empty() || case.motion.is_none() {
+        return;
     }
     // The slabs have columns of their own.
     if case.dynamic.sides.iter().all(|side| side.value == case::Side::FreeField) {
-        return (base, None);
+        return;
     }
-    let Err(reason) = grounds(mesh, bodies, interfaces, lives) else { return (base, None) };
-    if case.motion.is_none() || case.defaulted.iter().any(|d| d.key == "dynamic.base") {
-        return (Base::Viscous, Some(reason));
+    if let Err(reason) = grounds(mesh, bodies, interfaces, lives) {
+        problems.push(case::Diagnostic::at(
+            &case.dynamic.base,
+            format!("the springs of the base act on what differs from columns of the ground at the model's corners, but {reason}"),
+            "write base = \"viscous\", or let the ground along the model's vertical edges be whole and stay in all stages",
+        ));
     }
-    problems.push(case::Diagnostic::at(
-        &case.dynamic.base,
-        format!("the springs of the base act on what differs from columns of the ground at the model's corners, but {reason}"),
-        "write base = \"viscous\", or let the ground along the model's vertical edges be whole and stay in all stages",
-    ));
-    (base, None)
 }

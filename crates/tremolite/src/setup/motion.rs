@@ -40,7 +40,7 @@ pub fn build(case: &Case, held: &Inputs, problems: &mut Vec<Diagnostic>) -> Opti
     warnings.extend(doubts::of_peak(motion, &mut channels, &steps));
     warnings.extend(doubts::of_steps(&processing, &channels));
     let (mut source, window) = channels.facts();
-    let process: Vec<&str> = motion.process.iter().map(|step| step.value.as_str()).collect();
+    let process: Vec<&str> = motion.processing.iter().map(|step| step.value.as_str()).collect();
     if !process.is_empty() {
         source = format!("{source}; {}", process.join(", "));
     }
@@ -107,7 +107,7 @@ pub(super) fn beyond_any_earthquake(
                      {limit:.3} {unit}"
                 ),
                 "look at the record's units and scale; velocity and displacement that grow are drift, which \"baseline\" as \
-                 the last step of motion.process takes out",
+                 the last step of motion.processing takes out",
             ));
         }
     }

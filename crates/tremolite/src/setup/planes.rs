@@ -22,7 +22,7 @@ const LEAST_LEFT: f64 = 0.4;
 /// Share of single elements from which on that is not asked: among others an element has its step or a longer one, the smallest without
 /// planes up to a tenth longer than alone.
 const ALONE: f64 = 0.5;
-const WAY_OUT: &str = "move `through` by half an element, lower `near`, or mesh the ground with the planes in Gmsh and read it as [mesh.file] \
+const WAY_OUT: &str = "move `through` by half an element, lower `size_near`, or mesh the ground with the planes in Gmsh and read it as [mesh.file] \
                        (docs/meshes.md)";
 const CROSSING: &str = "here it crosses another plane: end one of them before the other by `extent`, or mesh the ground with both in Gmsh and \
                         read it as [mesh.file] (docs/meshes.md)";
@@ -232,7 +232,7 @@ fn bends(planes: &[case::CutPlane], done: &Done, mesh: &Mesh) -> Option<Diagnost
                 "plane '{}' bends: {off:.2} m off its place at ({x:.1}, {y:.1}, {z:.1}) m, a corner whose node cannot move",
                 plane.name.value
             ),
-            "move `through` by half an element, or lower `near`",
+            "move `through` by half an element, or lower `size_near`",
         )
     })
 }

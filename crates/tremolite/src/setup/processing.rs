@@ -21,7 +21,7 @@ impl Processing<'_> {
         problems: &mut Vec<Diagnostic>,
         before: usize,
     ) {
-        for (step, word) in self.steps.iter().zip(&self.motion.process).take(count) {
+        for (step, word) in self.steps.iter().zip(&self.motion.processing).take(count) {
             if let Process::Match { .. } = step {
                 if problems.len() == before {
                     let done = target::matched(self.motion, self.target, step, word, channels);
@@ -50,7 +50,7 @@ impl Processing<'_> {
 /// The steps of processing; those that cannot be read are among the problems.
 pub fn steps(motion: &case::Motion, problems: &mut Vec<Diagnostic>) -> Vec<Process> {
     motion
-        .process
+        .processing
         .iter()
         .filter_map(|word| match Process::parse(word) {
             Ok(step) => Some(step),

@@ -84,7 +84,7 @@ pub fn body(
             problems.push(Diagnostic::new(
                 region.span.clone(),
                 "a region that is not of generated linings or shotcrete alone must say how its elements are integrated",
-                "write element = \"one-point\" for rock; \"layered\" for linings one element thick, \"full\" for others",
+                "write element = \"reduced-integration\" for rock; \"layered\" for linings one element thick, \"full-integration\" for others",
             ));
             None
         })?,
@@ -270,7 +270,9 @@ fn finer(case: &Case, limit: f64, extent: f64) -> String {
             let near = (100.0 * caverns.near.value * (limit / extent).min(1.0) - 1.0).floor() / 100.0;
             let pairs = (0.5 * caverns.length.value / below).ceil();
             let along = (100.0 * 0.5 * caverns.length.value / pairs).floor() / 100.0;
-            format!("give `near` {near} m and `along` {along} m, or more layers of lining where it is thick")
+            format!(
+                "give `size_near` {near} m and `size_along` {along} m, or more layers of lining where it is thick"
+            )
         }
         _ => mesh_finer(case, limit),
     }
@@ -287,7 +289,7 @@ pub(super) fn mesh_finer(case: &Case, limit: f64) -> String {
     match &case.mesh {
         // Elements of the generator may be a little larger than what is asked for.
         tremolite_case::Mesh::Caverns(_) => {
-            format!("give `near`, `far` and `along` {:.2} m or less", 0.9 * below)
+            format!("give `size_near`, `size_far` and `size_along` {:.2} m or less", 0.9 * below)
         }
         tremolite_case::Mesh::Box(_) => format!("give more `elements` along the axes, for {below} m or less"),
         tremolite_case::Mesh::File(_) => format!("mesh it with {below} m or less"),

@@ -53,10 +53,11 @@ pub fn seep(case: &Case, materials: &[usize], space: &Problem) -> Result<Seeped,
     let count = mesh.elements.len();
     let mut conductivity: Vec<Option<f64>> = vec![None; count];
     let mut body_of: Vec<Option<usize>> = vec![None; count];
-    let given = materials.iter().filter_map(|&m| pores(case, m)?.permeability.as_ref());
+    let given = materials.iter().filter_map(|&m| pores(case, m)?.hydraulic_conductivity.as_ref());
     let tight = TIGHT * given.map(|k| k.value).fold(f64::INFINITY, f64::min);
     for (b, (body, &material)) in space.bodies.iter().zip(materials).enumerate() {
-        let k = pores(case, material).map(|pores| pores.permeability.as_ref().map_or(tight, |k| k.value));
+        let k = pores(case, material)
+            .map(|pores| pores.hydraulic_conductivity.as_ref().map_or(tight, |k| k.value));
         for &e in &body.elements {
             conductivity[e as usize] = k;
             body_of[e as usize] = Some(b);

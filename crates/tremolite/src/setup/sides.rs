@@ -118,7 +118,7 @@ pub fn check_planes(case: &Case, mesh: &Mesh, problems: &mut Vec<Diagnostic>) {
         );
         let remedy = format!(
             "write mesh.file.rotate = \"{}\", which turns the mesh as it is read: coordinates and stresses of the case, its \
-             results and motion.model_x_azimuth are then meant in the axes after it",
+             results and model_x_azimuth are then meant in the axes after it",
             degrees(total - 360.0 * (total / 360.0).round())
         );
         problems.push(Diagnostic::at(place, message, remedy));
@@ -200,7 +200,7 @@ pub fn warnings(case: &Case) -> Vec<Diagnostic> {
             "keep it for full space, or where what the surface sends back is meant to be left out; else leave `top` out",
         ));
     }
-    let assumed = case.defaulted.iter().any(|d| d.key == "motion.model_x_azimuth");
+    let assumed = case.defaulted.iter().any(|d| d.key == "model_x_azimuth");
     if let case::Mesh::File(file) = &case.mesh
         && file.rotate.value != 0.0
         && assumed

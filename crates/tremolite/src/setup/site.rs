@@ -120,7 +120,7 @@ fn deconvolved(
 
 fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notch, band: f64) -> Diagnostic {
     let above = match facts.lowpass {
-        Some(_) => "the low-pass of motion.process",
+        Some(_) => "the low-pass of motion.processing",
         None => "below which 99.9 % of the record's energy lies",
     };
     Diagnostic::new(
@@ -136,7 +136,7 @@ fn refused(motion: &case::Motion, facts: &MotionFacts, axis: usize, notch: &Notc
             from = notch.from,
         ),
         format!(
-            "put a low-pass of {:.2} Hz or less into motion.process if the rest will do, or give a record of the surface or of an outcrop",
+            "put a low-pass of {:.2} Hz or less into motion.processing if the rest will do, or give a record of the surface or of an outcrop",
             0.75 * notch.from
         ),
     )

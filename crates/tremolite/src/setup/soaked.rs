@@ -143,7 +143,7 @@ pub fn warnings(case: &Case, space: &Problem, staged: &Staged) -> Vec<Diagnostic
                  walls are pushed in by all of it",
                 mesh.element_id(e as usize)
             ),
-            "let the water flow to it: pressure = \"seepage\" with heads, and `permeability` of the rock; or lower the `level` of that stage below \
+            "let the water flow to it: pressure = \"seepage\" with heads, and `hydraulic_conductivity` of the rock; or lower the `level` of that stage below \
              the opening",
         ));
     }

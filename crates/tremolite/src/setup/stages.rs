@@ -197,7 +197,7 @@ impl Staged {
         let mut stand_ins = Vec::new();
         for (of, body, life) in self.stand_ins {
             shown.push(of);
-            stand_ins.push(StandIn { element: add(space, of, body, life), of, body });
+            stand_ins.push(interfaces::StandIn { element: add(space, of, body, life), of, body });
         }
         interfaces::part_stand_ins(case, space, &self.places, &stand_ins);
         let mut last: HashMap<u32, u32> = HashMap::new();
@@ -274,14 +274,6 @@ impl Staged {
         from_start.for_each(|version| all[version.element as usize] = Some(version.body));
         all
     }
-}
-
-/// Ground that stands in the place of what is installed later.
-pub struct StandIn {
-    pub element: u32,
-    /// The element of the mesh in whose place it stands.
-    pub of: u32,
-    pub body: usize,
 }
 
 /// The material of a solid region.

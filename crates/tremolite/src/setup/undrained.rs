@@ -67,7 +67,7 @@ pub fn values(case: &Case, material: &Material, body: &Body) -> Vec<MaterialValu
     let bulk = moduli.lambda + 2.0 / 3.0 * moduli.mu;
     let weight = case.water.as_ref().map_or(f64::NAN, |water| water.unit_weight.value);
     let evens_out = pores
-        .permeability
+        .hydraulic_conductivity
         .as_ref()
         .map(|k| k.value / weight * undrained.modulus * oedometric(bulk) / oedometric(bulk + stiffened));
     let [of_skempton, of_bulk, of_speed, of_diffusivity] = MEANINGS;

@@ -89,7 +89,7 @@ pub fn of_thin_bodies(case: &Case, mesh: &tremolite_mesh::Mesh, bodies: &[Body])
                      them showed half of its largest stress",
                     body.name
                 ),
-                "write element = \"layered\" for it if it is one element thick, else \"full\"",
+                "write element = \"layered\" for it if it is one element thick, else \"full-integration\"",
             ))
         })
         .collect()
@@ -219,7 +219,7 @@ const ABOUT_HALF: std::ops::RangeInclusive<f64> = 0.4..=0.6;
 fn halved_twice(motion: &case::Motion) -> Option<case::Diagnostic> {
     // What comes before a peak that is asked for has no say in how strong the motion is.
     let (mut whole, mut word) = (1.0, None);
-    for step in &motion.process {
+    for step in &motion.processing {
         match Process::parse(&step.value) {
             Ok(Process::Scale(factor)) => (whole, word) = (whole * factor.abs(), Some(step)),
             Ok(Process::PeakAcceleration { .. } | Process::Match { .. }) => (whole, word) = (1.0, None),
@@ -256,9 +256,9 @@ pub fn of_motion(
             match case.motion.as_ref().map(|motion| motion.kind.value) {
                 Some(case::MotionKind::Within | case::MotionKind::Surface) => {
                     "this is the wave found from the record, which may ring on where the record ends: put some seconds of zeros behind the \
-                     record; if the record drifts itself, \"baseline\" last in motion.process"
+                     record; if the record drifts itself, \"baseline\" last in motion.processing"
                 }
-                _ => "put \"baseline\" last in motion.process, behind filter and taper; a high-pass alone may make it worse",
+                _ => "put \"baseline\" last in motion.processing, behind filter and taper; a high-pass alone may make it worse",
             },
         ));
     }

@@ -39,11 +39,17 @@ fn all(evidence: &Evidence) -> Vec<TrustLine> {
             ("interface_closure", said!("largest closure of the interface over its limit")),
             ("interface_slip", said!("largest slip over element size")),
             ("interface_gap", said!("largest gap over element size")),
-            ("contact_above_pressure_limit", said!("interface pairs under more pressure than pressure_for_step")),
+            (
+                "contact_above_pressure_limit",
+                said!("interface pairs under more pressure than pressure_for_step"),
+            ),
             ("contact_energy_error", said!("energy error of impacts over energy supplied")),
             ("contact_frequency_step", said!("time step × frequency of the stiffest contact pair")),
             ("interface_ringing", seam::ringing_name()),
-            ("contact_penalty_compliance", said!("compliance of the interface over that of the adjacent elements")),
+            (
+                "contact_penalty_compliance",
+                said!("compliance of the interface over that of the adjacent elements"),
+            ),
         ]
         .map(line)
         .into();
@@ -96,7 +102,7 @@ fn created(evidence: &Evidence) -> TrustLine {
     }
     TrustLine::at_most(ID, created_name(), created / friction, CREATED, "")
         .with("created", created)
-        .with("friction", friction)
+        .with("friction_coefficient", friction)
         .with_note(said!(
             "largest rise of what pairs gave out whose shear stiffness goes by the closure; tangential = \"constant\" cannot"
         ))

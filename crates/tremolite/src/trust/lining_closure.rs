@@ -175,7 +175,7 @@ mod tests {
             let (beyond, this): (Vec<u32>, Vec<u32>) = all.partition(right);
             let law =
                 tremolite_kernels::interface_laws().into_iter().find(|l| l.info.name == "coulomb").unwrap();
-            let values = Values::default().with("normal_stiffness", 1e9).with("friction", 0.5);
+            let values = Values::default().with("normal_stiffness", 1e9).with("friction_coefficient", 0.5);
             let body = |name: &str, elements: &[u32]| Body {
                 name: name.into(),
                 elements: elements.to_vec(),

@@ -75,7 +75,7 @@ fn drainage(evidence: &Evidence) -> TrustLine {
     let diffusivities: Vec<Option<f64>> =
         model.user_bodies().iter().map(|body| diffusivity(evidence, &body.name)).collect();
     if diffusivities.iter().all(Option::is_none) {
-        return none(said!("no permeability is given"));
+        return none(said!("no hydraulic conductivity is given"));
     }
     let time = evidence.outcome.taken as f64 * evidence.outcome.dt;
     let far = |e: u32| {

@@ -163,7 +163,11 @@ pub(super) fn of(evidence: &Evidence, number: usize) -> Vec<TrustLine> {
              `normal_stiffness` from a test, or leave `time_step` out"
         ))
     } else {
-        TrustLine::not_applicable(id("contact_penalty_compliance"), chosen_name, said!("its stiffness was given"))
+        TrustLine::not_applicable(
+            id("contact_penalty_compliance"),
+            chosen_name,
+            said!("its stiffness was given"),
+        )
     };
     vec![closure, slip, gap, straight, impacts, step, ringing(evidence, number), chosen]
 }

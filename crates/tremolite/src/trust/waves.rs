@@ -53,7 +53,7 @@ pub(super) fn drift(evidence: &Evidence) -> TrustLine {
         return TrustLine::not_applicable(ID, name, said!("no wave comes in"));
     };
     TrustLine::at_most(ID, name, motion.drift(), DRIFT, "").with_note(said!(
-        "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.process, behind \
+        "a large value is drift of the record, which the model follows: put \"baseline\" last in motion.processing, behind \
          filter and taper"
     ))
 }

@@ -56,7 +56,7 @@ fn closing(closure: f64) -> Problem {
         ("normal_stiffness", 20e9),
         ("max_closure", closure),
         ("cohesion", 0.2e6),
-        ("friction", 0.7),
+        ("friction_coefficient", 0.7),
         ("pressure_for_step", 10e6),
     ];
     problem.interfaces = vec![between(&problem, [1, 0], "bandis", &numbers)];

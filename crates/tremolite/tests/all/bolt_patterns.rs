@@ -50,7 +50,7 @@ fn stages(groups: &[&str], bolts: &str) -> String {
     groups.iter().map(stage).collect()
 }
 
-const REGION: &str = "[[region]]\ngroups = [\"*\"]\nmaterial = \"rock\"\nelement = \"one-point\"\n";
+const REGION: &str = "[[region]]\ngroups = [\"*\"]\nmaterial = \"rock\"\nelement = \"reduced-integration\"\n";
 
 fn parse(folder: &Path, text: &str) -> Case {
     let infos: Vec<LawInfo> = laws().iter().map(|l| l.info).collect();
@@ -339,14 +339,14 @@ fn arch(lining: &str, bolts: &str) -> (Case, Setup) {
     let region = if lining.is_empty() {
         REGION.to_owned()
     } else {
-        "[[region]]\ngroups = [\"rock\", \"*.bench*\"]\nmaterial = \"rock\"\nelement = \"one-point\"\n[[region]]\n\
-         groups = [\"*.lining\"]\nmaterial = \"rock\"\nelement = \"full\"\nbefore = \"rock\"\n"
+        "[[region]]\ngroups = [\"rock\", \"*.bench*\"]\nmaterial = \"rock\"\nelement = \"reduced-integration\"\n[[region]]\n\
+         groups = [\"*.lining\"]\nmaterial = \"rock\"\nelement = \"full-integration\"\nbefore = \"rock\"\n"
             .to_owned()
     };
     let install = if lining.is_empty() { "" } else { "install = [\"hall.lining\"]\n" };
     let text = format!(
-        "{HEAD}[mesh.caverns]\noverburden = \"60 m\"\nbelow = \"40 m\"\nsides = \"40 m\"\nlength = \"24 m\"\nnear = \"1.2 m\"\n\
-         far = \"8 m\"\nalong = \"2 m\"\n[[mesh.caverns.cavern]]\nname = \"hall\"\nwidth = \"17 m\"\nheight = \"20 m\"\n\
+        "{HEAD}[mesh.caverns]\noverburden = \"60 m\"\nbelow = \"40 m\"\nsides = \"40 m\"\nlength = \"24 m\"\nsize_near = \"1.2 m\"\n\
+         size_far = \"8 m\"\nsize_along = \"2 m\"\n[[mesh.caverns.cavern]]\nname = \"hall\"\nwidth = \"17 m\"\nheight = \"20 m\"\n\
          arch_rise = \"4.5 m\"\nbenches = 3\n{lining}{region}[[stage]]\nname = \"all\"\nexcavate = [\"hall.bench*\"]\n{install}{bolts}\n"
     );
     let case = parse(folder.path(), &text);

@@ -116,7 +116,7 @@ fn parts_push_as_their_stiffness_says_and_book_what_they_then_hold() {
     agrees(on_springs(1e7));
     let mut problem = block([5, 4, 6]);
     problem.base = Base::Viscous;
-    let strong = [("normal_stiffness", 3e9), ("friction", 0.5), ("cohesion", 1e12)];
+    let strong = [("normal_stiffness", 3e9), ("friction_coefficient", 0.5), ("cohesion", 1e12)];
     // What goes by the rate of strain has no part in the stiffness.
     let joint = Interface { viscosity: 0.0, ..between(&problem, [1, 0], "coulomb", &strong) };
     problem.interfaces = vec![joint];

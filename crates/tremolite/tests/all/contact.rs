@@ -28,7 +28,7 @@ pub const BANDIS: &[(&str, f64)] = &[
     ("normal_stiffness", 20e9),
     ("max_closure", 2e-3),
     ("cohesion", 0.2e6),
-    ("friction", 0.7),
+    ("friction_coefficient", 0.7),
     ("pressure_for_step", 10e6),
 ];
 

@@ -49,7 +49,7 @@ fn hanging() -> Problem {
         ("max_closure", 2e-3),
         ("cohesion", 1e6),
         ("tensile_strength", bond),
-        ("friction", 0.7),
+        ("friction_coefficient", 0.7),
     ];
     problem.interfaces = vec![between(&problem, [0, 1], "bandis", &numbers)];
     problem

@@ -37,7 +37,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["lining"]
 material = "concrete"
@@ -47,7 +47,7 @@ name = "joint"
 between = ["lining", "rock"]
 law = "coulomb"
 cohesion = "0.1 MPa"
-friction = 0.6
+friction_coefficient = 0.6
 normal_stiffness = "20 GPa/m"
 [initial]
 lateral = 0.5
@@ -58,7 +58,7 @@ install = ["lining"]
 [motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 base = "viscous"
 sides = "viscous"

@@ -34,7 +34,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock", "core"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 lateral = 0.5
 release_cycles = 50
@@ -51,7 +51,7 @@ yield = "400 MPa"
 [motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.01 s" }
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 base = "viscous"
 sides = "viscous"

@@ -250,7 +250,7 @@ fn an_interface_tells_the_thickness_of_what_is_nearly_a_cube() {
     assert!(matches!(Model::new(problem()), Err(ModelError::Thickness { .. })));
     let mut parted = problem();
     let law = tremolite::interface_laws().into_iter().find(|law| law.info.name == "coulomb").unwrap();
-    let values = Values::default().with("normal_stiffness", 20e9).with("friction", 0.7);
+    let values = Values::default().with("normal_stiffness", 20e9).with("friction_coefficient", 0.7);
     parted.interfaces =
         vec![tremolite::Interface::new("lining-rock", [lining.clone(), ground.clone()], law, values)];
     let model = Model::new(parted).unwrap();
@@ -261,7 +261,7 @@ fn an_interface_tells_the_thickness_of_what_is_nearly_a_cube() {
         "lining-rock",
         [lining.clone(), ground.clone()],
         tremolite::interface_laws().into_iter().find(|law| law.info.name == "coulomb").unwrap(),
-        Values::default().with("normal_stiffness", 20e9).with("friction", 0.7),
+        Values::default().with("normal_stiffness", 20e9).with("friction_coefficient", 0.7),
     )];
     beside.sides = [Side::FreeField, Side::Free];
     let model = Model::new(beside).unwrap();

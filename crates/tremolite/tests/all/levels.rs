@@ -343,8 +343,12 @@ fn a_hundred_bounces_between_walls_gain_no_more_than_with_one_level() {
         };
         let mut problem = Problem::new(mesh.clone(), vec![body("walls", walls), body("bar", bar)]);
         problem.held = held;
-        let mut joint =
-            between(&problem, [0, 1], "coulomb", &[("normal_stiffness", stiffness), ("friction", 0.0)]);
+        let mut joint = between(
+            &problem,
+            [0, 1],
+            "coulomb",
+            &[("normal_stiffness", stiffness), ("friction_coefficient", 0.0)],
+        );
         (joint.damping, joint.viscosity) = (damping, 6.0 * damping);
         problem.interfaces = vec![joint];
         problem

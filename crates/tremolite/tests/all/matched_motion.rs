@@ -23,13 +23,13 @@ density = "2600 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [motion]
 kind = "outcrop"
 east = { file = "record.txt" }
 up = { from = "east", factor = 0.6 }
 target = "EN 1998-1 type 1 ground B 1 m/s2"
-process = ["taper 1 s", "baseline", "match 0.2 s 1.5 s"]
+processing = ["taper 1 s", "baseline", "match 0.2 s 1.5 s"]
 [dynamic]
 sides = "periodic"
 "#;
@@ -116,16 +116,16 @@ fn what_cannot_be_matched_is_refused_at_its_place() {
     let upright = CASE.replace("up = { from = \"east\", factor = 0.6 }", "up = { file = \"record.txt\" }");
     let short = CASE
         .replace("match 0.2 s 1.5 s", "match 0.2 s 3.9 s")
-        .replace("process =", "window = [\"0 s\", \"7 s\"]\nprocess =");
+        .replace("processing =", "window = [\"0 s\", \"7 s\"]\nprocessing =");
     let turned = CASE.replace("match 0.2 s 1.5 s", "match 1.5 s 0.2 s");
     let beyond = CASE.replace("match 0.2 s 1.5 s", "match 0.2 s 6 s");
     for (text, place, says) in [
-        (none, "process =", "no target that it could be matched to"),
+        (none, "processing =", "no target that it could be matched to"),
         (unknown, "target =", "not a spectrum that is known by its words"),
         (upright, "up = {", "has none for a vertical record"),
-        (short, "process =", "less than twice the longest period"),
-        (turned, "process =", "the shorter period comes first"),
-        (beyond, "process =", "reaches beyond"),
+        (short, "processing =", "less than twice the longest period"),
+        (turned, "processing =", "the shorter period comes first"),
+        (beyond, "processing =", "reaches beyond"),
     ] {
         let said = refused(&text);
         assert!(said.contains(says), "{says}:\n{said}");

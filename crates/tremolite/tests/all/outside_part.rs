@@ -306,20 +306,22 @@ fn the_step_goes_by_the_dashpots_of_an_own_part() {
 #[test]
 fn a_stiffness_that_is_left_out_is_the_same_beside_a_part_that_does_nothing() {
     let frequencies = [[4, 3, 5], [60, 3, 5]].map(|size| {
-        [("coulomb", &[("friction", 0.6)][..]), ("bandis", &[("max_closure", 2e-3), ("friction", 0.7)])].map(
-            |(law, own)| {
-                let [plain, beside] = [block(size), on_springs(0.0)].map(|parts| {
-                    let mut problem = block(size);
-                    problem.base = Base::Viscous;
-                    problem.interfaces = vec![between(&problem, [1, 0], law, own)];
-                    problem.parts = parts.parts;
-                    let contacts = &Ready::new(problem).assembly.contacts[0];
-                    (contacts.frequency, contacts.law.stiffest())
-                });
-                assert_eq!(plain, beside, "{law} {size:?}");
-                plain.0
-            },
-        )
+        [
+            ("coulomb", &[("friction_coefficient", 0.6)][..]),
+            ("bandis", &[("max_closure", 2e-3), ("friction_coefficient", 0.7)]),
+        ]
+        .map(|(law, own)| {
+            let [plain, beside] = [block(size), on_springs(0.0)].map(|parts| {
+                let mut problem = block(size);
+                problem.base = Base::Viscous;
+                problem.interfaces = vec![between(&problem, [1, 0], law, own)];
+                problem.parts = parts.parts;
+                let contacts = &Ready::new(problem).assembly.contacts[0];
+                (contacts.frequency, contacts.law.stiffest())
+            });
+            assert_eq!(plain, beside, "{law} {size:?}");
+            plain.0
+        })
     });
     // In the coarse block the least that a joint must have governs, which closure stiffens by Bandis' law; in the fine one the step, which bounds the
     // stiffest state of either law.

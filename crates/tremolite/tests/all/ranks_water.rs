@@ -12,9 +12,9 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/wet-hall"
 /// that slides; shaken on a free field while water cannot leave; 382 elements on levels of steps. `also` changes it further.
 fn hall(also: &[(&str, &str)]) -> Job {
     let changes = [
-        ("mesh.caverns.near", "4 m"),
-        ("mesh.caverns.far", "20 m"),
-        ("mesh.caverns.along", "4 m"),
+        ("mesh.caverns.size_near", "4 m"),
+        ("mesh.caverns.size_far", "20 m"),
+        ("mesh.caverns.size_along", "4 m"),
         ("mesh.caverns.length", "4 m"),
         ("mesh.caverns.sides", "50 m"),
         ("mesh.caverns.below", "40 m"),
@@ -30,7 +30,7 @@ fn hall(also: &[(&str, &str)]) -> Job {
         ("initial.tolerance", "1e-3"),
         ("initial.release_cycles", "50"),
         ("motion.window", r#"{ strongest = "0.1 s" }"#),
-        ("motion.process", r#"["detrend linear", "taper 0.03 s", "pga 3 g", "baseline"]"#),
+        ("motion.processing", r#"["detrend linear", "taper 0.03 s", "pga 3 g", "baseline"]"#),
         ("output.snapshots", "0.05 s"),
     ];
     let changes = changes.iter().chain(also).map(|&(key, value)| Change::new(key, value)).collect();

@@ -68,16 +68,16 @@ density = "2000 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["soil"]
 material = "soil"
-element = "one-point"
+element = "reduced-integration"
 [motion]
 {motion}
 east = {{ file = "record.txt" }}
 up = {{ from = "east", factor = 0.5 }}
-process = ["taper 0.2 s", {process}]
+processing = ["taper 0.2 s", {process}]
 [dynamic]
 base = "viscous"
 {sides}

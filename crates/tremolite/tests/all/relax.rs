@@ -138,8 +138,12 @@ fn bits_of_a_relaxation_do_not_depend_on_threads_or_the_instruction_set_or_a_sto
 #[test]
 fn a_joint_carries_the_weight_above_it() {
     let mut problem = ground(0.0, Isa::best());
-    let bandis =
-        [("normal_stiffness", 5e9), ("max_closure", 1e-3), ("friction", 0.6), ("pressure_for_step", 10e6)];
+    let bandis = [
+        ("normal_stiffness", 5e9),
+        ("max_closure", 1e-3),
+        ("friction_coefficient", 0.6),
+        ("pressure_for_step", 10e6),
+    ];
     problem.interfaces = vec![between(&problem, [0, 1], "bandis", &bandis)];
     let close = Release { tolerance: [1e-7, 1e-5], ..Release::default() };
     let relaxed = relax(problem, close);

@@ -109,7 +109,7 @@ fn ground(surface: Surface, fault: Fault, how: How, order: bool, stiffness: Opti
     problem.sides = [Side::Roller; 2];
     problem.base = Base::Fixed;
     if fault != Fault::Without {
-        let mut numbers = vec![("cohesion", 1e9), ("friction", 0.6)];
+        let mut numbers = vec![("cohesion", 1e9), ("friction_coefficient", 0.6)];
         numbers.extend(stiffness.map(|k| ("normal_stiffness", k)));
         let mut interface = between(&problem, [0, 0], "coulomb", &numbers);
         interface.sides = if order { [one, two] } else { [two, one] };

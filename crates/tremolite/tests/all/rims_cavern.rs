@@ -86,7 +86,7 @@ pub fn cavern(mirrored: bool) -> Problem {
         &problem,
         [0, 0],
         "coulomb",
-        &[("normal_stiffness", 10e9), ("cohesion", 0.0), ("friction", 0.5)],
+        &[("normal_stiffness", 10e9), ("cohesion", 0.0), ("friction_coefficient", 0.5)],
     );
     fault.sides = [left, right];
     fault.name = "fault".into();
@@ -94,7 +94,12 @@ pub fn cavern(mirrored: bool) -> Problem {
         &problem,
         [1, 0],
         "bandis",
-        &[("normal_stiffness", 20e9), ("max_closure", 2e-3), ("cohesion", 0.2e6), ("friction", 0.7)],
+        &[
+            ("normal_stiffness", 20e9),
+            ("max_closure", 2e-3),
+            ("cohesion", 0.2e6),
+            ("friction_coefficient", 0.7),
+        ],
     );
     extrados.sides = [lining, outside];
     problem.interfaces = vec![fault, extrados];

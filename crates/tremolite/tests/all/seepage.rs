@@ -25,7 +25,7 @@ law = "elastic"
 young = "2 GPa"
 poisson = 0.25
 unit_weight = "27 kN/m3"
-water = { biot = 1, permeability = "1e-7 m/s" }
+water = { biot = 1, hydraulic_conductivity = "1e-7 m/s" }
 [material.concrete]
 law = "elastic"
 young = "25 GPa"
@@ -35,17 +35,17 @@ water = "none"
 [[region]]
 groups = ["rock", "core"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["shell"]
 material = "concrete"
-element = "full"
+element = "full-integration"
 [[interface]]
 name = "joint"
 between = ["shell", "rock"]
 law = "coulomb"
 normal_stiffness = "20 GPa/m"
-friction = 0.6
+friction_coefficient = 0.6
 cohesion = "0 Pa"
 [initial]
 lateral = 0.5
@@ -178,8 +178,10 @@ fn drains_take_water_and_say_so() {
 fn level_ground_at_the_head_has_the_pressures_of_the_level() {
     let plain = HALL.split("[[stage]]").next().unwrap();
     let plain = plain.replace("groups = [\"rock\", \"core\"]", "groups = [\"rock\", \"core\", \"shell\"]");
-    let plain =
-        plain.replace("[[region]]\ngroups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full\"\n", "");
+    let plain = plain.replace(
+        "[[region]]\ngroups = [\"shell\"]\nmaterial = \"concrete\"\nelement = \"full-integration\"\n",
+        "",
+    );
     let plain = &plain[..plain.find("[[interface]]").unwrap()];
     let flows = format!("{plain}[initial]\nlateral = 0.5\n[[stage]]\nname = \"later\"\n");
     let job = made(&flows);
@@ -271,7 +273,11 @@ fn what_does_not_flow_is_refused_with_a_way_out() {
     let heads = "heads = { xmin = \"-5 m\", xmax = \"-5 m\" }\n";
     refused(heads, "", &["where the water of the seepage comes from", "heads = { sides"]);
     refused("pressure = \"seepage\"\n", "", &["`heads` has a meaning only with steady seepage"]);
-    refused(", permeability = \"1e-7 m/s\"", "", &["no material of a region has a permeability", "1e-7 m/s"]);
+    refused(
+        ", hydraulic_conductivity = \"1e-7 m/s\"",
+        "",
+        &["no material of a region has a hydraulic conductivity", "1e-7 m/s"],
+    );
     refused("xmax = ", "xmaxx = ", &["nothing is called 'xmaxx'", "did you mean 'xmax'"]);
     refused(
         "excavate = [\"core\"]\n",
@@ -295,7 +301,7 @@ fn what_does_not_flow_is_refused_with_a_way_out() {
 
 /// A void that reaches the plane of a head is warned of, and a level with an opening below it names seepage as the remedy.
 #[test]
-fn what_is_doubtful_is_message() {
+fn what_is_doubtful_is_said() {
     let has = |text: &str, words: &str| made(text).said().iter().any(|one| one.contains(words));
     assert!(!has(HALL, "comes in right beside it"));
     assert!(has(&HALL.replace("xmin = \"-5 m\", xmax", "sides"), "comes in right beside it"));
@@ -346,7 +352,7 @@ fn a_lining_with_pores_has_its_forces_in_both_stresses() {
     let folder = tempfile::tempdir().unwrap();
     let still = HALL
         .replace("pressure = \"seepage\"\nheads = { xmin = \"-5 m\", xmax = \"-5 m\" }\n", "")
-        .replace(", permeability = \"1e-7 m/s\"", "");
+        .replace(", hydraulic_conductivity = \"1e-7 m/s\"", "");
     let rows = |name: &str, text: &str| {
         let results = ResultFolder::create(Some(&folder.path().join(name)), name, true).unwrap();
         let mut control = Control { stop: &AtomicBool::new(false), progress: &mut |_| {} };

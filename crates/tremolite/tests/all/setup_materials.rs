@@ -31,11 +31,11 @@ fracture_energy = "{energy}"
 [[region]]
 groups = ["rock"]
 material = "weak"
-element = "full"
+element = "full-integration"
 [motion]
 kind = "outcrop"
 east = {{ file = "pulse.txt", units = "m/s2", dt = "0.01 s" }}
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 base = "viscous"
 sides = "periodic"
@@ -76,9 +76,9 @@ overburden = "40 m"
 below = "30 m"
 sides = "30 m"
 length = "3 m"
-near = "{near} m"
-far = "9 m"
-along = "{along} m"
+size_near = "{near} m"
+size_far = "9 m"
+size_along = "{along} m"
 [[mesh.caverns.cavern]]
 name = "hall"
 width = "10.5 m"
@@ -98,7 +98,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["hall.lining"]
 material = "concrete"
@@ -121,8 +121,8 @@ fn the_sizes_that_a_refusal_names_are_taken() {
         let rest = refused.split_once(from).unwrap_or_else(|| panic!("{from}: {refused}")).1;
         rest.split_once(to).unwrap_or_else(|| panic!("{to}: {refused}")).0.to_owned()
     };
-    let (near, along) = (between("give `near` ", " m"), between("and `along` ", " m"));
-    assert!(refused.contains("near = \"1.5 m\""), "shown where it is written: {refused}");
+    let (near, along) = (between("give `size_near` ", " m"), between("and `size_along` ", " m"));
+    assert!(refused.contains("size_near = \"1.5 m\""), "shown where it is written: {refused}");
     let taken = setup(&hall(folder.path(), &near, &along), &Laws::default(), Isa::best());
     assert!(taken.is_ok(), "{near}, {along}: {}", taken.err().unwrap());
 }
@@ -172,7 +172,7 @@ material = "weak"
 [motion]
 kind = "outcrop"
 east = {{ file = "pulse.txt", units = "m/s2", dt = "0.01 s" }}
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 base = "viscous"
 sides = "periodic"
@@ -193,14 +193,14 @@ fields = ["damage"]
 fn one_layer_of_2x2x2_points_is_warned_of_and_layers_are_as_many_as_there_are() {
     let folder = tempfile::tempdir().unwrap();
     let said = |element: &str| slab(folder.path(), element).err().unwrap_or_default();
-    let warned = said("element = \"full\"");
+    let warned = said("element = \"full-integration\"");
     assert!(warned.contains("one element thick") && warned.contains("\"layered\""), "{warned}");
     for good in ["element = \"layered\"", "element = \"layered\"\npoints_through = 13"] {
         assert_eq!(said(good), "", "{good}");
     }
     let refused = said("element = \"layered\"\npoints_through = 8");
     assert!(refused.contains("7, 9 or 13"), "{refused}");
-    let refused = said("element = \"full\"\npoints_through = 9");
+    let refused = said("element = \"full-integration\"\npoints_through = 9");
     assert!(refused.contains("points_through"), "{refused}");
     // What the generator has not made must say it.
     let refused = said("");

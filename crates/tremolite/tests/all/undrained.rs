@@ -28,14 +28,14 @@ water = { biot = 0.8518518518518519, porosity = "1 %" }
 [[region]]
 groups = ["*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 lateral = 0.8
 [motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.005 s" }
 up = { from = "east", factor = 0.5 }
-process = ["baseline"]
+processing = ["baseline"]
 [dynamic]
 sides = "free-field"
 duration = "0.5 s"
@@ -97,7 +97,7 @@ fn pores_that_no_rock_has_are_refused_before_anything_is_computed() {
 }
 
 #[test]
-fn what_water_makes_of_a_material_is_message() {
+fn what_water_makes_of_a_material_is_said() {
     let of = |text: &str, name: &str| {
         let values = job(text).materials["rock"].values.clone();
         values.into_iter().find(|value| value.name == name).map(|value| value.value)
@@ -122,7 +122,7 @@ fn ground_below_the_water_moves_as_theory_has_it() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| ResultFolder::create(Some(&folder.path().join(name)), name, true).unwrap();
     let (wet, dry) = (at("undrained"), at("drained"));
-    let tight = GROUND.replace("\"1 %\"", "\"1 %\", permeability = \"1e-8 m/s\"");
+    let tight = GROUND.replace("\"1 %\"", "\"1 %\", hydraulic_conductivity = \"1e-8 m/s\"");
     let summary = run(&job(&tight), &wet, Start::Rest);
     // √(c_v T) beside the drained ground above the level, elements of 10 × 10 × 5 m.
     let diffusivity: f64 =
@@ -199,7 +199,8 @@ fn an_undrained_earthquake_goes_on_where_it_was_stopped() {
 #[test]
 fn viscosity_goes_by_the_frequency_with_water() {
     let wet = GROUND.replace("level = \"-30 m\"", "level = \"0 m\"");
-    let job = job(&wet.replace("element = \"one-point\"", "element = \"one-point\"\nviscosity = 0.2"));
+    let job = job(&wet
+        .replace("element = \"reduced-integration\"", "element = \"reduced-integration\"\nviscosity = 0.2"));
     let left = tremolite::engine::viscous_share;
     let share = job.stable.dt / job.stable.undamped;
     assert!(share > left(0.22) && share < left(0.18), "{share}: {} to {}", left(0.22), left(0.18));

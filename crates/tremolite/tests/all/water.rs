@@ -26,7 +26,7 @@ water = { biot = 0.8 }
 [[region]]
 groups = ["*"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [initial]
 lateral = 0.8
 [[monitor]]
@@ -64,7 +64,7 @@ fn near(found: f64, exact: f64, share: f64) {
 #[test]
 fn level_ground_with_water_is_at_rest_under_the_stresses_of_theory() {
     for (of, horizontal) in [("effective", -4_614_300.0), ("total", -4_320_000.0)] {
-        let ground = GROUND.replace("lateral = 0.8", &format!("lateral = 0.8\nlateral_of = \"{of}\""));
+        let ground = GROUND.replace("lateral = 0.8", &format!("lateral = 0.8\nk0_stress = \"{of}\""));
         let [stage] = &stages(&ground)[..] else { panic!("one stage") };
         assert!(stage.largest_motion < 1e-14, "{}", stage.largest_motion);
         let wanted = [("szz", -5.4e6), ("p", 1.4715e6), ("s3_eff", -3.9285e6), ("sxx", horizontal)];
@@ -136,7 +136,7 @@ fn a_pit_that_is_filled_in_later_is_pressed_under_its_own_name() {
     let pit = |pressed: &str| {
         let part = "elements = 18 }\npart = [{ group = \"pit\", z = [\"-32 m\", \"0 m\"] }, { group = \"floor\", z = [\"-288 m\", \"-32 m\"] }]";
         let fill = "[material.fill]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.25\nunit_weight = \"20 kN/m3\"\nwater = \"none\"\n\
-                    [[region]]\ngroups = [\"pit\"]\nmaterial = \"fill\"\nbefore = \"rock\"\nelement = \"one-point\"\n[initial]";
+                    [[region]]\ngroups = [\"pit\"]\nmaterial = \"fill\"\nbefore = \"rock\"\nelement = \"reduced-integration\"\n[initial]";
         let ground = GROUND
             .replace("elements = 18 }", part)
             .replace("[initial]", fill)
@@ -178,11 +178,11 @@ water = "none"
 [[region]]
 groups = ["rock", "core"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [[region]]
 groups = ["shell"]
 material = "concrete"
-element = "full"
+element = "full-integration"
 [initial]
 lateral = 0.5
 [[stage]]
@@ -241,7 +241,7 @@ fn openings_below_the_level_and_linings_tied_to_wet_rock_are_warned_of() {
         .replacen("[[region]]", &format!("{GROUTED}[[region]]"), 1);
     let said = told(&both);
     assert!(!has(&said, below) && has(&said, tied), "{said:?}");
-    let joint = "[[interface]]\nname = \"joint\"\nbetween = [\"shell\", \"rock\"]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction = 0.6\ncohesion = \"0 Pa\"\n";
+    let joint = "[[interface]]\nname = \"joint\"\nbetween = [\"shell\", \"rock\"]\nlaw = \"coulomb\"\nnormal_stiffness = \"20 GPa/m\"\nfriction_coefficient = 0.6\ncohesion = \"0 Pa\"\n";
     let said = told(&HALL.replace("[initial]", &format!("{joint}[initial]")));
     assert!(!has(&said, tied), "{said:?}");
     for (level, words) in [("10 m", "nothing presses on its top"), ("-300 m", "below the model")] {

@@ -29,11 +29,11 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["rock"]
 material = "rock"
-element = "one-point"
+element = "reduced-integration"
 [motion]
 kind = "incident"
 east = { file = "pulse.txt", units = "m/s2", dt = "0.005 s" }
-process = ["baseline"]
+processing = ["baseline"]
 [[motion.wave]]
 type = "SV"
 angle = "25 deg"
@@ -97,14 +97,14 @@ fn what_cannot_be_is_refused_with_its_line_and_a_remedy() {
     let hole = CASE.replace("[material.rock]", &soft.replace("soft", "hole"));
     let hole = hole.replace("[motion]", "[[region]]\ngroups = [\"hole\"]\nmaterial = \"void\"\n[motion]");
     let clay = "[material.clay]\nlaw = \"elastic\"\nyoung = \"1 GPa\"\npoisson = 0.3\ndensity = \"2000 kg/m3\"\n\
-                [[region]]\ngroups = [\"soft\"]\nmaterial = \"clay\"\nelement = \"one-point\"\n[motion]";
+                [[region]]\ngroups = [\"soft\"]\nmaterial = \"clay\"\nelement = \"reduced-integration\"\n[motion]";
     let lens = CASE.replace("[material.rock]", soft).replace("[motion]", clay);
     // A joint through the whole model, and round a block inside it.
     let jointed = |[from, to]: [&str; 2]| {
         let block = format!(
             "[[mesh.box.part]]\ngroup = \"block\"\nx = [\"{from} m\", \"{to} m\"]\ny = [\"10 m\", \"20 m\"]\nz = [\"15 m\", \"25 m\"]\n[material.rock]"
         );
-        let joint = "[[interface]]\nname = \"joint\"\nbetween = [\"block\", \"rock\"]\nlaw = \"coulomb\"\nfriction = 0.6\n[motion]";
+        let joint = "[[interface]]\nname = \"joint\"\nbetween = [\"block\", \"rock\"]\nlaw = \"coulomb\"\nfriction_coefficient = 0.6\n[motion]";
         CASE.replace("[material.rock]", &block)
             .replace("groups = [\"rock\"]", "groups = [\"rock\", \"block\"]")
             .replace("[motion]", joint)
@@ -119,7 +119,7 @@ fn what_cannot_be_is_refused_with_its_line_and_a_remedy() {
             "no component 'north'",
         ),
         (
-            CASE.replace("process =", "up = { from = \"east\", factor = 0.5 }\nprocess ="),
+            CASE.replace("processing =", "up = { from = \"east\", factor = 0.5 }\nprocessing ="),
             "up = { from",
             "carries `up`",
         ),
@@ -135,15 +135,15 @@ fn what_cannot_be_is_refused_with_its_line_and_a_remedy() {
         (sides_of(with_waves(&[("SH", "0", "0")]), "symmetry"), "sides =", "is not its own mirror image"),
         (sides_of(with_waves(&[("SV", "0", "90")]), "symmetry"), "sides =", "moves the ground along x"),
         (
-            CASE.replace("process =", "at = [\"-50000 m\", \"0 m\"]\nprocess ="),
+            CASE.replace("processing =", "at = [\"-50000 m\", \"0 m\"]\nprocessing ="),
             "at =",
             "longer than the record lasts",
         ),
         (outcrop(with_waves(&[("P", "1", "0")])), "angle =", "0.0"),
         (outcrop(with_waves(&[("SV", "45", "0")])), "angle =", "tells nothing of it"),
         (
-            CASE.replace("component = \"east\"", "component = \"east\"\npart = \"up\""),
-            "part =",
+            CASE.replace("component = \"east\"", "component = \"east\"\nsurface_component = \"up\""),
+            "surface_component =",
             "the incident wave itself",
         ),
         (jointed(["0", "10"]), "sides =", "let it end at x = 5.00 m"),
@@ -196,8 +196,8 @@ fn together(kind: &str, angles: [&str; 3], azimuths: [&str; 3]) -> String {
     let waves: Vec<(&str, &str, &str)> = waves.iter().map(|[a, b, c]| (*a, *b, *c)).collect();
     let text = with_waves(&waves).replace("component = \"east\"", "component = \"together\"");
     let others =
-        "north = { from = \"east\", factor = -0.7 }\nup = { from = \"east\", factor = 0.5 }\nprocess =";
-    text.replace("process =", others).replace("kind = \"incident\"", &format!("kind = \"{kind}\""))
+        "north = { from = \"east\", factor = -0.7 }\nup = { from = \"east\", factor = 0.5 }\nprocessing =";
+    text.replace("processing =", others).replace("kind = \"incident\"", &format!("kind = \"{kind}\""))
 }
 
 /// The bare rock of the base moves as recorded at the waves' common place; SV at 50° is beyond critical.
@@ -304,9 +304,7 @@ fn a_run_compares_its_corners_with_the_field_and_two_waves_are_their_sum() {
 fn model_and_azimuth_turned_together_and_mirror_images_are_the_same() {
     let at = |x_azimuth: &str, azimuth: &str, kind: &str| {
         let text = with_waves(&[(kind, "25", azimuth)]);
-        moved(
-            &run(&text.replace("process =", &format!("model_x_azimuth = \"{x_azimuth} deg\"\nprocess ="))).1,
-        )
+        moved(&run(&format!("model_x_azimuth = \"{x_azimuth} deg\"\n{text}")).1)
     };
     for kind in ["SV", "SH"] {
         let plain = at("90", "30", kind);
@@ -380,7 +378,7 @@ fn a_record_at_a_far_place_is_that_of_the_field_and_is_run_to_its_end() {
         ("17 m\", \"11 m", delay(23.0, 19.0)),
     ] {
         let text = with_waves(&[("SH", "25", "30")])
-            .replace("process =", &format!("at = [\"{at}\"]\nprocess ="))
+            .replace("processing =", &format!("at = [\"{at}\"]\nprocessing ="))
             .replace("duration = \"0.5 s\"\n", "");
         let made = job(&text);
         let planned = made.plan.waves.as_ref().unwrap();
@@ -403,7 +401,7 @@ fn a_record_at_a_far_place_is_that_of_the_field_and_is_run_to_its_end() {
         assert!(worst < 2e-3 * peak, "{at}: {}", worst / peak);
     }
     // What comes behind the end is told of, though the record is over by then where it is given.
-    let short = CASE.replace("process =", "at = [\"-300 m\", \"-500 m\"]\nprocess =");
+    let short = CASE.replace("processing =", "at = [\"-300 m\", \"-500 m\"]\nprocessing =");
     let made = job(&short);
     let warned: Vec<String> = made.warnings().map(|warning| warning.message.clone()).collect();
     assert!(warned.iter().any(|warning| warning.contains("comes after this")), "{warned:?}");

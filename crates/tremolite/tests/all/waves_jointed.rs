@@ -30,20 +30,20 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["lining"]
 material = "concrete"
-element = "one-point"
+element = "reduced-integration"
 before = "rock"
 [[interface]]
 name = "joint"
 between = ["block", "rock"]
 law = "coulomb"
-friction = 0.1
+friction_coefficient = 0.1
 [[interface]]
 name = "bed"
 between = ["lining", "rock"]
 law = "bandis"
 normal_stiffness = "20 GPa/m"
 max_closure = "2 mm"
-friction = 0.3
+friction_coefficient = 0.3
 [initial]
 lateral = 0.5
 release_cycles = 50
@@ -63,7 +63,7 @@ install = ["lining"]
             "[dynamic]",
             &format!("[[motion.wave]]\ntype = \"P\"\nangle = \"15 deg\"\nazimuth = \"{pressure} deg\"\ncomponent = \"up\"\n[dynamic]"),
         )
-        .replace("process =", "up = { from = \"east\", factor = 0.5 }\nprocess =")
+        .replace("processing =", "up = { from = \"east\", factor = 0.5 }\nprocessing =")
         .replace("[motion]", more)
         .replace("levels = 1", &format!("levels = {levels}"))
         // In the walls of the hall, at both ends of x.

@@ -52,7 +52,7 @@ fn collide(n: u32) -> Result<Outcome, VerifyError> {
     let mesh = BoxSpec::uniform([0.0; 3], [h, h, 2.0 * LENGTH], [1, 1, 2 * n]).mesh()?;
     let mut problem = BAR.fill(mesh, Quadrature::OnePoint);
     let stiffness = BAR.young / h;
-    let numbers = [("normal_stiffness", stiffness), ("friction", 0.5)];
+    let numbers = [("normal_stiffness", stiffness), ("friction_coefficient", 0.5)];
     problem.interfaces = vec![joint([(0..n).collect(), (n..2 * n).collect()], "coulomb", &numbers, &[])?];
     let simulation = Simulation::new(problem)?;
     let speed = (BAR.young / BAR.density).sqrt();

@@ -99,7 +99,7 @@ fn problem(variant: &Variant) -> Result<tremolite::Problem, VerifyError> {
     let (mesh, first) = hill(variant.divide);
     let ground: Vec<u32> = (0..first).collect();
     let block: Vec<u32> = (first..mesh.elements.len() as u32).collect();
-    let mut numbers = vec![("friction", FRICTION), ("cohesion", 0.0)];
+    let mut numbers = vec![("friction_coefficient", FRICTION), ("cohesion", 0.0)];
     numbers.extend(variant.stiffness.map(|k| ("normal_stiffness", k)));
     if variant.law == "bandis" {
         numbers.push(("max_closure", 2e-3));

@@ -93,7 +93,7 @@ fn forces(
         x[2] += case.lean * (x[0] - 0.5 * WIDE) * (1.0 - (x[2] - JOINT).abs() / JOINT);
     }
     let mut problem = ROCK.fill(mesh, Quadrature::OnePoint);
-    let numbers = [("normal_stiffness", 10e9), ("friction", 0.5), ("cohesion", 0.0)];
+    let numbers = [("normal_stiffness", 10e9), ("friction_coefficient", 0.5), ("cohesion", 0.0)];
     problem.interfaces = vec![joint([below, above.clone()], "coulomb", &numbers, &[])?];
     problem.sides = [Side::Roller; 2];
     problem.bolts = vec![kind];

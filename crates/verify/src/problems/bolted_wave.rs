@@ -199,7 +199,7 @@ fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {
                 ));
                 let note = "for information: over the same with half the step";
                 for (what, value) in [
-                    ("friction", bolted[0].friction / bolted[1].friction),
+                    ("friction_coefficient", bolted[0].friction / bolted[1].friction),
                     ("plastic work", bolted[0].plastic / bolted[1].plastic),
                 ] {
                     checks.push(Check::beside(

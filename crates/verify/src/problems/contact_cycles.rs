@@ -47,14 +47,14 @@ type Spring = (&'static str, &'static [(&'static str, f64)], &'static [(&'static
 /// k_n or k_n0 \[Pa/m\], and T \[m\].
 const STIFFNESS: f64 = 1e9;
 const CLOSURE: f64 = 1e-3;
-const LINEAR: Spring = ("coulomb", &[("normal_stiffness", STIFFNESS), ("friction", 0.05)], &[]);
+const LINEAR: Spring = ("coulomb", &[("normal_stiffness", STIFFNESS), ("friction_coefficient", 0.05)], &[]);
 const CURVED: Spring = (
     "bandis",
-    &[("normal_stiffness", STIFFNESS), ("max_closure", CLOSURE), ("closure_floor", 0.9), ("friction", 0.05)],
+    &[("normal_stiffness", STIFFNESS), ("max_closure", CLOSURE), ("closure_floor", 0.9), ("friction_coefficient", 0.05)],
     &[("tangential", "constant")],
 );
 const FOLLOWING: Spring =
-    ("bandis", &[("normal_stiffness", STIFFNESS), ("max_closure", CLOSURE), ("friction", 2.0)], &[]);
+    ("bandis", &[("normal_stiffness", STIFFNESS), ("max_closure", CLOSURE), ("friction_coefficient", 2.0)], &[]);
 
 /// Cubes of 1 m, each of whose nodes move as one, on held ones; the first node of each.
 fn blocks(count: u32, law: Spring, damping: Option<f64>) -> Result<(tremolite::Problem, Vec<u32>), VerifyError> {

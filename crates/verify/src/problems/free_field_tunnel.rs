@@ -133,7 +133,7 @@ fn apart(a: &Rows, b: &Rows) -> Apart {
 }
 
 fn shake(makeup: Makeup, sides: Side, end: f64) -> Result<Shaken, VerifyError> {
-    let numbers = [("normal_stiffness", 5e9), ("max_closure", CLOSURE), ("cohesion", 1e4), ("friction", 0.5)];
+    let numbers = [("normal_stiffness", 5e9), ("max_closure", CLOSURE), ("cohesion", 1e4), ("friction_coefficient", 0.5)];
     let joints = Joints {
         lining: makeup != Makeup::Elastic,
         fault: false,

@@ -60,7 +60,7 @@ pub(super) fn limit(name: &'static str, lining: bool, fault: bool) -> Result<Vec
     let shared = history(Joints { lining: false, fault: false, law: "coulomb", numbers: &[] })?;
     let mut found = Vec::new();
     for k in STIFFNESSES {
-        let numbers = [("normal_stiffness", k), ("shear_stiffness", k), ("cohesion", 1e12), ("friction", 0.0)];
+        let numbers = [("normal_stiffness", k), ("shear_stiffness", k), ("cohesion", 1e12), ("friction_coefficient", 0.0)];
         found.push(differ(&shared, &history(Joints { lining, fault, law: "coulomb", numbers: &numbers })?));
     }
     let [coarse, middle, fine] = [0, 1, 2].map(|i| found[i]);

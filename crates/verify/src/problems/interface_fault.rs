@@ -29,7 +29,7 @@ const WEAK: Joints = Joints {
         ("normal_stiffness", 20e9),
         ("max_closure", 1e-3),
         ("cohesion", 0.2e6),
-        ("friction", 0.6),
+        ("friction_coefficient", 0.6),
         ("pressure_for_step", 10e6),
     ],
 };

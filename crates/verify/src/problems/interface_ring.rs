@@ -127,7 +127,7 @@ fn press(around: u32, turn: f64) -> Result<Pressed, VerifyError> {
     let interface = joint(
         [lining.clone(), rock.clone()],
         "bandis",
-        &[("normal_stiffness", STIFFNESS), ("max_closure", CLOSURE), ("friction", 0.0)],
+        &[("normal_stiffness", STIFFNESS), ("max_closure", CLOSURE), ("friction_coefficient", 0.0)],
         &[],
     )?;
     let mut problem = tremolite::Problem::new(

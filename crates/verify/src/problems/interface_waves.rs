@@ -147,7 +147,7 @@ fn through(
         }
         _ => vec![("normal_stiffness", stiffness), ("shear_stiffness", stiffness)],
     };
-    let strengths = [("cohesion", strength), ("friction", 0.5)];
+    let strengths = [("cohesion", strength), ("friction_coefficient", 0.5)];
     let numbers: Vec<_> = numbers.into_iter().chain(strengths).collect();
     let joint = joint([below, above], law, &numbers, &[])?;
     problem.interfaces = vec![Interface { viscosity, ..joint }];

@@ -183,7 +183,7 @@ fn release_with(
     let mut problem = tremolite::Problem::new(mesh, bodies);
     if tunnel.slides {
         let sides = [lining.clone(), problem.bodies[0].elements.clone()];
-        let numbers = [("normal_stiffness", JOINT), ("friction", 0.0), ("cohesion", 0.0)];
+        let numbers = [("normal_stiffness", JOINT), ("friction_coefficient", 0.0), ("cohesion", 0.0)];
         problem.interfaces = vec![joint(sides, "coulomb", &numbers, &[])?];
     }
     problem.lives = lives;

@@ -36,8 +36,8 @@ const SIZE: f64 = 4.0;
 
 type Numbers = &'static [(&'static str, f64)];
 const LAWS: [(&str, Numbers); 2] = [
-    ("coulomb", &[("normal_stiffness", 20e9), ("friction", 0.8), ("cohesion", 0.0)]),
-    ("bandis", &[("normal_stiffness", 20e9), ("max_closure", 1e-3), ("friction", 0.6), ("cohesion", 1e6)]),
+    ("coulomb", &[("normal_stiffness", 20e9), ("friction_coefficient", 0.8), ("cohesion", 0.0)]),
+    ("bandis", &[("normal_stiffness", 20e9), ("max_closure", 1e-3), ("friction_coefficient", 0.6), ("cohesion", 1e6)]),
 ];
 
 fn run(_: Effort) -> Result<Vec<Check>, VerifyError> {

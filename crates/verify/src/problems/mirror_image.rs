@@ -134,7 +134,7 @@ fn problem(uneven: Uneven, base: Base, side: Side, mirrored: bool) -> Result<tre
     }
     let mut problem = tremolite::Problem::new(mesh, bodies);
     if uneven == Uneven::DippingContact {
-        let numbers = [("normal_stiffness", 2e9), ("max_closure", 1e-3), ("cohesion", 1e3), ("friction", 0.4)];
+        let numbers = [("normal_stiffness", 2e9), ("max_closure", 1e-3), ("cohesion", 1e3), ("friction_coefficient", 0.4)];
         problem.interfaces = vec![joint([own, other], "bandis", &numbers, &[])?];
     }
     problem.base = base;

@@ -87,7 +87,7 @@ fn slide([dip, direction]: [f64; 2], divide: u32, step: f64) -> Result<[f64; 2],
     let plane = Plane::dipping([0.1, 0.2, -0.1], dip.to_radians(), direction.to_radians());
     let (mesh, elements, nodes) = parted(plane, divide)?;
     let all = mesh.elements.len() as u32;
-    let numbers = [("normal_stiffness", STIFFNESS), ("friction", FRICTION)];
+    let numbers = [("normal_stiffness", STIFFNESS), ("friction_coefficient", FRICTION)];
     let mut problem: Problem = ROCK.fill(mesh, Quadrature::OnePoint);
     problem.interfaces = vec![joint([(0..elements).collect(), (elements..all).collect()], "coulomb", &numbers, &[])?];
     problem.held = (0..nodes).map(|n| (n, [true; 3])).collect();

@@ -116,7 +116,7 @@ fn left(base: &Mesh, whole: f64, plane: Plane) -> Result<Left, VerifyError> {
     let settles = 0.5 * ROCK.density * GRAVITY * height * height / (moduli.lambda + 2.0 * moduli.mu);
     let mut jointed = ground(mesh.clone());
     let sides = ["plane.below", "plane.above"].map(|side| mesh.groups[side].clone());
-    let numbers = [("normal_stiffness", 20e9), ("friction", 2.5)];
+    let numbers = [("normal_stiffness", 20e9), ("friction_coefficient", 2.5)];
     jointed.interfaces = vec![joint(sides, "coulomb", &numbers, &[])?];
     let (joined, on_a_joint) = (Quiet::new(ground(mesh.clone()))?.moved, Quiet::new(jointed)?.moved);
     let jacobian = quality::summary_of(&mesh, done.changed.iter().copied()).min_scaled_jacobian;

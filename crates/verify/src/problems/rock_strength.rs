@@ -131,7 +131,7 @@ fn drucker_prager(checks: &mut Vec<Check>) -> Result<(), VerifyError> {
 fn hoek_brown(checks: &mut Vec<Check>) -> Result<(), VerifyError> {
     for (gsi, disturbance, psi) in [(100.0, 0.0, 0.0), (55.0, 0.0, 8.0), (55.0, 0.7, 0.0), (20.0, 0.0, 5.0)] {
         let numbers = [
-            ("ucs", UCS),
+            ("compressive_strength", UCS),
             ("gsi", gsi),
             ("m_i", M_I),
             ("disturbance", disturbance),

@@ -118,7 +118,7 @@ fn slide(shaking: Shaking, friction: f64, shear: f64, end: f64, rest: f64) -> Re
     let mut problem = BLOCK.fill(mesh, Quadrature::OnePoint);
     let tangential = shear * shear * BLOCK.density * HEIGHT;
     let normal = 2.5 * tangential;
-    let numbers = [("normal_stiffness", normal), ("shear_stiffness", tangential), ("friction", friction)];
+    let numbers = [("normal_stiffness", normal), ("shear_stiffness", tangential), ("friction_coefficient", friction)];
     let sides = [(0..ELEMENTS).collect(), (ELEMENTS..2 * ELEMENTS).collect()];
     problem.interfaces = vec![joint(sides, "coulomb", &numbers, &[])?];
     problem.ties = block.clone().skip(1).map(|n| (first, n)).collect();

@@ -131,7 +131,7 @@ fn shake(along: [f64; 3], modulus: f64) -> Result<Shaken, VerifyError> {
 
 /// The slice in its stages: level ground, dug, lined.
 fn problem(along: [f64; 3], modulus: f64) -> Result<Problem, VerifyError> {
-    let numbers = [("normal_stiffness", 20e9), ("max_closure", 1e-3), ("cohesion", 0.0), ("friction", 0.6)];
+    let numbers = [("normal_stiffness", 20e9), ("max_closure", 1e-3), ("cohesion", 0.0), ("friction_coefficient", 0.6)];
     let joints = Joints { lining: true, fault: false, law: "bandis", numbers: &numbers };
     let mut problem = slice(DEEP, joints, along)?;
     let values = Values::default()

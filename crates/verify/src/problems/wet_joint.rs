@@ -100,7 +100,7 @@ fn bricks(height: f64) -> Result<Mesh, VerifyError> {
 fn slide(water: f64) -> Result<f64, VerifyError> {
     const PRESSURE: f64 = 2e6;
     let mesh = bricks(1.0)?;
-    let numbers = [("normal_stiffness", 20e9), ("friction", 0.7), ("cohesion", 0.0)];
+    let numbers = [("normal_stiffness", 20e9), ("friction_coefficient", 0.7), ("cohesion", 0.0)];
     let mut problem = ROCK.fill(mesh, Quadrature::OnePoint);
     problem.water = even(&problem.mesh, 1.0, water, water);
     problem.interfaces = vec![joint([vec![0], vec![1]], "coulomb", &numbers, &[])?];
@@ -136,7 +136,7 @@ fn block(water: f64) -> Result<f64, VerifyError> {
     const HEIGHT: f64 = 10.0;
     const ACTS: f64 = 8.0;
     let mesh = bricks(HEIGHT)?;
-    let numbers = [("normal_stiffness", 20e9), ("friction", 0.5), ("cohesion", 0.0)];
+    let numbers = [("normal_stiffness", 20e9), ("friction_coefficient", 0.5), ("cohesion", 0.0)];
     let mut problem = ROCK.fill(mesh, Quadrature::OnePoint);
     // Neither has pores: the water is in the joint alone.
     problem.water = even(&problem.mesh, 0.0, 0.0, water);
@@ -268,7 +268,7 @@ fn lining(how: Joined) -> Result<f64, VerifyError> {
     problem.water = Water { biot, spells: vec![spell(0, &drained), spell(1, &|_| HEAD)], ..Water::default() };
     if how != Joined::Tied {
         let strength = if how == Joined::Bonded { 5e6 } else { 0.0 };
-        let mut numbers = vec![("normal_stiffness", STIFF), ("friction", 0.0), ("cohesion", strength)];
+        let mut numbers = vec![("normal_stiffness", STIFF), ("friction_coefficient", 0.0), ("cohesion", strength)];
         if strength > 0.0 {
             numbers.push(("tensile_strength", strength));
         }

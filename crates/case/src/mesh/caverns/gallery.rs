@@ -9,7 +9,7 @@ pub(super) static GALLERY: Table = Table {
     path: "mesh.caverns.gallery",
     doc: "A rectangular gallery across between two caverns with straight walls, from lining to lining. Its rock is the group \
           `NAME.gallery`, the linings and shotcrete it passes `NAME.opening`. Cuts between benches nearer to its floor or roof than a \
-          quarter of `near` move there.",
+          quarter of `size_near` move there.",
     keys: &[
         Key::required("name", Kind::Name, "first part of the names of its groups"),
         Key::required("between", Kind::List(&Kind::Name, 2, 2), "names of the two caverns"),

@@ -25,7 +25,7 @@ pub(super) static LAYER: Table = Table {
             "Upper plane below z = 0 at x = y = 0; 0 for the first",
         ),
         Key::default("dip", DIP, r#""0 deg""#, "Angle at which the upper plane falls; 0 for the first"),
-        Key::default("dip_direction", ANGLE, r#""0 deg""#, "Direction in which it falls, from x towards y"),
+        Key::optional("dip_azimuth", ANGLE, "along x", "Direction in which it falls, clockwise from north"),
     ],
     choice: &[],
 };
@@ -59,7 +59,7 @@ pub struct RockLayer {
     pub depth: Spanned<f64>,
     /// rad
     pub dip: Spanned<f64>,
-    /// Direction in which the upper plane falls, from x towards y, rad.
+    /// Direction in which the upper plane falls, from the model's x towards y, rad.
     pub dip_direction: Spanned<f64>,
 }
 
@@ -80,12 +80,16 @@ pub enum GroundSurface {
 }
 
 impl RockLayer {
-    pub(super) fn read(f: &Fields) -> Option<Self> {
+    pub(super) fn read(f: &Fields, x_azimuth: f64) -> Option<Self> {
+        let dip = f.number("dip")?;
         Some(RockLayer {
             name: f.text("name")?,
             depth: f.number("depth")?,
-            dip: f.number("dip")?,
-            dip_direction: f.number("dip_direction")?,
+            dip_direction: match f.number("dip_azimuth") {
+                Some(azimuth) => Spanned::new(x_azimuth - azimuth.value, azimuth.span),
+                None => Spanned::new(0.0, dip.span.clone()),
+            },
+            dip,
         })
     }
 }

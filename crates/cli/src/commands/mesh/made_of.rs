@@ -108,10 +108,14 @@ fn read(text: &str) -> Result<(Moduli, f64, Quadrature), String> {
             "density" => (&mut density, number(Dimension::DENSITY)?),
             "element" => {
                 quadrature = match value {
-                    "one-point" => Quadrature::OnePoint,
-                    "full" => Quadrature::Full,
+                    "reduced-integration" => Quadrature::OnePoint,
+                    "full-integration" => Quadrature::Full,
                     "layered" => Quadrature::Layered(Layers::default()),
-                    _ => return Err(format!("`element` is {value}, expected one-point, full or layered")),
+                    _ => {
+                        return Err(format!(
+                            "`element` is {value}, expected reduced-integration, full-integration or layered"
+                        ));
+                    }
                 };
                 continue;
             }
@@ -150,7 +154,7 @@ mod tests {
     fn materials_go_to_the_groups_that_they_name_and_the_last_counts() {
         let options = [
             "*: E = 10 GPa, nu = 0.25, density = 2.752 t/m3".to_owned(),
-            "hall: lin*: poisson=0.17,young=25e9 Pa,density=2400 kg/m3,element=full".to_owned(),
+            "hall: lin*: poisson=0.17,young=25e9 Pa,density=2400 kg/m3,element=full-integration".to_owned(),
         ];
         let made = super::options(&mesh(), &options).unwrap();
         assert_eq!(

@@ -70,7 +70,8 @@ impl Held {
 
     /// Runs it or goes on with it, from what another has come to before its earthquake where that is given.
     pub fn run(&self, from: Option<&Path>, threads: usize, stop: &AtomicBool) -> Result<End, Failure> {
-        let from = from.map(|from| vec!["--overwrite".into(), "--start-from".into(), from.as_os_str().to_owned()]);
+        let from =
+            from.map(|from| vec!["--overwrite".into(), "--start-from".into(), from.as_os_str().to_owned()]);
         let goes_on = self.goes_on().then(|| vec!["--resume".into()]);
         // What cannot be resumed, of another version, or shared, is refused before any computing.
         let ways = [goes_on, from, Some(vec!["--overwrite".into()])];

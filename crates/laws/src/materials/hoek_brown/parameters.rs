@@ -14,7 +14,7 @@ pub(super) const PARAMETERS: &[Parameter] = &[
     YOUNG,
     POISSON,
     number(
-        "ucs",
+        "compressive_strength",
         Dimension::PRESSURE,
         Need::Required,
         "σ_ci, uniaxial compressive strength of the intact rock",
@@ -137,7 +137,12 @@ fn read_residual(reading: &mut Reading, gsi: f64, m_i: f64, disturbance: f64) ->
 pub(super) fn read(values: &Values) -> Result<HoekBrown, Vec<BadParameter>> {
     let mut reading = Reading::new(values, PARAMETERS);
     let moduli = reading.moduli();
-    let ucs = reading.number("ucs", |x| x > 0.0, "positive", "for intact rock 5 to 300 MPa is usual");
+    let ucs = reading.number(
+        "compressive_strength",
+        |x| x > 0.0,
+        "positive",
+        "for intact rock 5 to 300 MPa is usual",
+    );
     let gsi = reading.number(
         "gsi",
         |x| (5.0..=100.0).contains(&x),

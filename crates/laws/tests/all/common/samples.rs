@@ -80,14 +80,14 @@ const CONE: &[(&str, f64)] =
 /// Numbers on top of the closure of a joint of rock and lining.
 macro_rules! joint {
     ($($key:ident $value:expr),* $(,)?) => {
-        &[("normal_stiffness", 20e9), ("max_closure", 0.5e-3), ("friction", 0.7), $((stringify!($key), $value)),*]
+        &[("normal_stiffness", 20e9), ("max_closure", 0.5e-3), ("friction_coefficient", 0.7), $((stringify!($key), $value)),*]
     };
 }
 
 /// Numbers on top of the stiffness of a joint without a closure.
 macro_rules! linear_joint {
     ($($key:ident $value:expr),* $(,)?) => {
-        &[("normal_stiffness", 20e9), ("friction", 0.7), $((stringify!($key), $value)),*]
+        &[("normal_stiffness", 20e9), ("friction_coefficient", 0.7), $((stringify!($key), $value)),*]
     };
 }
 
@@ -182,18 +182,23 @@ const SAMPLES: &[Sample] = &[
     sample("drucker-prager", "outer", CONE, &[("fit", "outer")]),
     sample("drucker-prager", "inner", CONE, &[("fit", "inner")]),
     sample("drucker-prager", "plane strain", CONE, &[("fit", "plane-strain")]),
-    sample("hoek-brown", "fair rock", rock!(ucs 80e6, gsi 55.0, m_i 15.0), &[]),
+    sample("hoek-brown", "fair rock", rock!(compressive_strength 80e6, gsi 55.0, m_i 15.0), &[]),
     sample(
         "hoek-brown",
         "intact, dilates",
-        rock!(ucs 60e6, gsi 100.0, m_i 12.0, dilation_angle 0.2, tensile_strength 1e4),
+        rock!(compressive_strength 60e6, gsi 100.0, m_i 12.0, dilation_angle 0.2, tensile_strength 1e4),
         &[],
     ),
-    sample("hoek-brown", "poor, dilates", rock!(ucs 60e6, gsi 12.0, m_i 12.0, dilation_angle 0.6), &[]),
+    sample(
+        "hoek-brown",
+        "poor, dilates",
+        rock!(compressive_strength 60e6, gsi 12.0, m_i 12.0, dilation_angle 0.6),
+        &[],
+    ),
     Sample {
         law: "hoek-brown",
         variant: "residual state after a slip",
-        numbers: rock!(ucs 80e6, gsi 70.0, m_i 15.0, dilation_angle 0.1),
+        numbers: rock!(compressive_strength 80e6, gsi 70.0, m_i 15.0, dilation_angle 0.1),
         words: &[],
         tables: &[(
             "residual",
@@ -203,14 +208,14 @@ const SAMPLES: &[Sample] = &[
     Sample {
         law: "hoek-brown",
         variant: "residual state after a strain",
-        numbers: rock!(ucs 80e6, gsi 70.0, m_i 15.0, tensile_strength 1e5),
+        numbers: rock!(compressive_strength 80e6, gsi 70.0, m_i 15.0, tensile_strength 1e5),
         words: &[],
         tables: &[("residual", &[("gsi", &[25.0]), ("plastic_shear_strain", &[5e-3])])],
     },
     Sample {
         law: "hoek-brown",
         variant: "residual state after a strain, with a relaxation time",
-        numbers: rock!(ucs 80e6, gsi 70.0, m_i 15.0, relaxation_time 1e-3),
+        numbers: rock!(compressive_strength 80e6, gsi 70.0, m_i 15.0, relaxation_time 1e-3),
         words: &[],
         tables: &[("residual", &[("gsi", &[25.0]), ("plastic_shear_strain", &[5e-3])])],
     },

@@ -242,10 +242,10 @@ fn further_legal_descriptions_give_a_sound_mesh_or_a_refusal_that_names_a_key() 
 
 fn sound_or_refused(seeds: impl Iterator<Item = u64>) {
     let keys = [
-        "near",
-        "far",
+        "size_near",
+        "size_far",
         "between",
-        "along",
+        "size_along",
         "overburden",
         "below",
         "sides",

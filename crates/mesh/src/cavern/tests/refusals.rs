@@ -47,7 +47,7 @@ fn absurd_counts_are_refused_before_anything_is_built() {
         let mut spec = CavernSpec::yingxiuwan();
         change(&mut spec);
         let error = spec.mesh().unwrap_err();
-        let size = matches!(&error, CavernError::Value { key, .. } if key == "near");
+        let size = matches!(&error, CavernError::Value { key, .. } if key == "size_near");
         assert!(
             size || matches!(error, CavernError::TooMany { .. } | CavernError::Grading { .. }),
             "{error}"

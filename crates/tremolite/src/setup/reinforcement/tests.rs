@@ -23,7 +23,7 @@ density = "2500 kg/m3"
 [[region]]
 groups = ["*"]
 material = "concrete"
-element = "full"
+element = "full-integration"
 [initial]
 lateral = 1
 {steel}
