@@ -244,7 +244,7 @@ mod tests {
             assert_eq!(at(&summary, path), Ok(number), "{path}");
         }
         for (path, says) in [
-            ("damege.a.volume", "there are damage"),
+            ("damege.a.volume", "there are checks, damage"),
             ("damage.b", "no `b`"),
             ("gap", "has no value"),
             ("damage", "is no number"),

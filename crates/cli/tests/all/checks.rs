@@ -221,6 +221,8 @@ unit_weight = "25 kN/m3"
         .replacen("[[region]]", region, 1)
         .replacen("groups   = [\"rock\",", "groups = [\"rock.sound\",", 1)
         .replace("duration = \"1.5 s\"", "duration = \"0.2 s\"")
+        // Elements at which the layers' border is not at one level at both ends.
+        .replace("size_near  = \"0.8 m\"", "size_near = \"2 m\"")
         .replace("{ x = \"free-field\", y = \"periodic\" }", "\"free-field\"");
     std::fs::write(&case, &text).unwrap();
     let summary = summary_of(&folder);

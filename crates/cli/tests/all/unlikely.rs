@@ -13,6 +13,10 @@ fn slips_of_units_are_warned_of_and_a_new_case_has_no_warning() {
     assert_eq!(code(&sound), 0);
     assert!(!errors(&sound).contains("warning"), "{}", errors(&sound));
 
+    // Slips are looked for in coarser meshes, which are made sooner.
+    let text = std::fs::read_to_string(at.join("study/case.toml")).unwrap();
+    assert!(text.contains("\"0.8 m\""));
+    std::fs::write(at.join("study/case.toml"), text.replace("\"0.8 m\"", "\"2 m\"")).unwrap();
     let coarse = "mesh.caverns.size_far=\"500 m\"";
     let slips: &[(&[&str], &str, &str)] = &[
         (

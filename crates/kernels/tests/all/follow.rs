@@ -62,7 +62,7 @@ fn unusual_parameters_of_interfaces_are_warned_of() {
     for law in ["bandis", "coulomb"] {
         assert!(interface_warnings(law, &usual).is_empty());
         let angle = interface_warnings(law, &usual.clone().with("friction_coefficient", 35.0));
-        assert!(angle.len() == 1 && angle[0].contains("tan φ"), "{angle:?}");
+        assert!(angle.len() == 1 && angle[0].contains("friction_angle"), "{angle:?}");
         let bond = interface_warnings(law, &usual.clone().with("tensile_strength", 1e6));
         assert!(bond.len() == 1 && bond[0].contains("first slip"), "{bond:?}");
     }

@@ -75,7 +75,7 @@ fn runs_that_have_no_result_are_told_and_counted_as_asked_for() {
     assert_eq!(missing, []);
     let [half, ten] = &found.fragilities[..] else { panic!("{:?}", found.fragilities) };
     assert_eq!((half.counted, half.exceeded, half.stopped_counted), (10, 6, 1));
-    assert_eq!(half.left_out, [("pending".to_owned(), 1), ("not_converged".to_owned(), 1)]);
+    assert_eq!(half.left_out, [("not_converged".to_owned(), 1), ("pending".to_owned(), 1)]);
     let shares: Vec<(usize, usize)> = half.shares.iter().map(|s| (s.exceeded, s.of)).collect();
     assert_eq!(shares, [(0, 2), (1, 2), (2, 3), (3, 3)]);
     assert!(half.fit.is_some_and(|fit| fit.theta > 0.15 && fit.theta < 0.3), "{half:?}");

@@ -80,7 +80,7 @@ fn near_in_the_wrong_unit_is_refused_before_the_section_is_smoothed() {
     let message = spec(0.04).mesh().unwrap_err().to_string();
     assert_eq!(
         message,
-        "near is 0.04; it must be at least 0.08 m, since the section of cavern \"hall\" would have some 135000 elements and at \
+        "size_near is 0.04; it must be at least 0.08 m, since the section of cavern \"hall\" would have some 135000 elements and at \
          most 40000 are taken; look at its unit"
     );
     assert!(spec(4.0).mesh().is_ok());
