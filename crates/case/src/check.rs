@@ -149,6 +149,11 @@ impl<'a> Checker<'a> {
                 self.defaulted.truncate(listed);
                 node
             }
+            Need::Required | Need::RequiredBeside(..)
+                if renamed::has_old(key.name, |old| given.contains_key(old)) =>
+            {
+                None
+            }
             Need::Required | Need::RequiredBeside(..) => {
                 let message = format!("`{}` is missing in {}", key.name, place(table));
                 self.problems.push(Diagnostic::new(span, message, suggest::missing(key)).missing(key.name));

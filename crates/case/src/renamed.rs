@@ -34,6 +34,11 @@ pub(crate) fn key<'a>(name: &str, mut here: impl Iterator<Item = &'a str>) -> Op
     here.any(|key| key == *new).then_some(*new)
 }
 
+/// Whether a key is there under its name of before, which is refused by itself.
+pub(crate) fn has_old(new: &str, has: impl Fn(&str) -> bool) -> bool {
+    KEYS.iter().any(|(old, now)| *now == new && has(old))
+}
+
 /// What to write for a renamed key of the table at `path`. `file` is the whole file.
 pub(crate) fn remedy(new: &str, path: &str, value: &Located<DeValue<'_>>, file: Azimuth) -> String {
     match new {
