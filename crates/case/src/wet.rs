@@ -32,7 +32,7 @@ pub(crate) fn check(
     {
         for material in materials {
             let Some(node) = material.fields.get("water") else { continue };
-            let says = |pores: &Fields| ["porosity", "skempton"].iter().any(|key| pores.get(*key).is_some());
+            let says = |pores: &Fields| ["porosity", "skempton"].iter().any(|key| pores.get(key).is_some());
             let refused = written.is_refused(&path(material));
             if node.table().is_some_and(|pores| !says(pores)) && !refused {
                 problems.push(Diagnostic::new(
@@ -136,7 +136,7 @@ fn seepage(
     let flows = |material: &&Material| {
         let pores = material.fields.get("water").and_then(|node| node.table());
         pores.is_some_and(|pores| {
-            ["hydraulic_conductivity", "permeability"].iter().any(|key| pores.get(*key).is_some())
+            ["hydraulic_conductivity", "permeability"].iter().any(|key| pores.get(key).is_some())
         })
     };
     let of_regions: Vec<&Material> =
