@@ -36,7 +36,7 @@ def test_a_study_of_a_script_is_the_commands(column, command, tmp_path):
     study = made(column, tmp_path / "script")
     assert [row["factor"] for row in study.plan] == pytest.approx([1.0 * study.plan[0]["factor"], 2.0 * study.plan[0]["factor"]] * 2)
     told = []
-    result = study.run(at_once=2, threads=1, progress=told.append)
+    result = study.run(jobs=2, threads=1, progress=told.append)
     assert any("4 runs" in line for line in told)
     assert study.plan.text == (tmp_path / "script" / "plan.csv").read_text()
     # The same file by the command, and by shards of a script that was sent elsewhere.
@@ -149,7 +149,7 @@ def test_ctrl_c_stops_a_study_in_good_order_and_it_goes_on(column, tmp_path):
             threading.Timer(0.4, os.kill, (os.getpid(), signal.SIGINT)).start()
 
     with pytest.raises(tr.Stopped) as caught:
-        study.run(at_once=1, progress=press)
+        study.run(jobs=1, progress=press)
     assert caught.value.out == study.out
     result = study.run()
     assert (whole.path / "study.csv").read_bytes() == (result.path / "study.csv").read_bytes()

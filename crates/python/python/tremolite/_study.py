@@ -143,14 +143,14 @@ class Study:
     def run(
         self,
         *,
-        at_once: int | None = None,
+        jobs: int | None = None,
         threads: int | None = None,
         only: str | None = None,
         shard: tuple[int, int] | None = None,
         retry: str | None = None,
         progress: Callable[[str], Any] | None = None,
     ) -> StudyResult:
-        """Runs what is not yet done, `at_once` so many beside one another with `threads` each, and returns the `StudyResult`.
+        """Runs what is not yet done, `jobs` runs at a time with `threads` each, and returns the `StudyResult`.
 
         What is done stays and what has a checkpoint goes on, so a study that was stopped is started again in the same words. `only` is a
         word in names of runs; `shard=(3, 8)` the third of eight shares, for other machines or other processes; `retry` "failed",
@@ -160,7 +160,7 @@ class Study:
         `RunWarning`.
         """
         options: list[Any] = []
-        for option, value in (("--jobs", at_once), ("--threads", threads), ("--only", only), ("--retry", retry)):
+        for option, value in (("--jobs", jobs), ("--threads", threads), ("--only", only), ("--retry", retry)):
             options += [] if value is None else [option, value]
         if shard is not None:
             k, of = shard
@@ -174,11 +174,11 @@ class Study:
         return self.result
 
     def slurm(
-        self, folder: str | os.PathLike[str], *, tasks: int | None = None, at_once: int | None = None, threads: int | None = None
+        self, folder: str | os.PathLike[str], *, tasks: int | None = None, jobs: int | None = None, threads: int | None = None
     ) -> Path:
         """Writes a script of array tasks for Slurm into a folder, runs nothing, and returns the script's path."""
         options: list[Any] = ["--slurm", os.fspath(folder)]
-        for option, value in (("--tasks", tasks), ("--jobs", at_once), ("--threads", threads)):
+        for option, value in (("--tasks", tasks), ("--jobs", jobs), ("--threads", threads)):
             options += [] if value is None else [option, value]
         self._command(options, None)
         return Path(folder, "study.sbatch")
