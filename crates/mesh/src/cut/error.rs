@@ -58,7 +58,7 @@ impl fmt::Display for CutError {
             Self::Poor { name, jacobian, at: [x, y, z] } => write!(
                 f,
                 "plane '{name}' cannot be meshed at ({x:.1}, {y:.1}, {z:.1}) m: it would distort an element there to a scaled Jacobian of \
-                 {jacobian:.2}, and {LEAST_JACOBIAN} is the least allowed; move `through` by half an element, lower `size_near`, or {GMSH}"
+                 {jacobian:.3}, and {LEAST_JACOBIAN} is the least allowed; move `through` by half an element, lower `size_near`, or {GMSH}"
             ),
         }
     }

@@ -145,7 +145,7 @@ fn flat_there(error: &CutError, thin: &Thin, mesh: &Mesh) -> Option<String> {
     let lengths: Vec<f64> = pairs.map(|pair| edge(&pair)).filter(|&length| length > 0.0).collect();
     let [shortest, longest] =
         [lengths.iter().copied().reduce(f64::min)?, lengths.iter().copied().reduce(f64::max)?];
-    Some(format!(". That element of '{group}' is {shortest:.2} m thin and {longest:.1} m long"))
+    Some(format!(". That element of '{group}' is {shortest:.2} m thin, with a diagonal of {longest:.1} m"))
 }
 
 /// Whether an element is too poor where two planes cross.
